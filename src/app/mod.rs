@@ -63,6 +63,7 @@ use lightfall_render::recovery::DeviceFailure;
 use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
 use state::light_meter::LightMeter;
+use state::paused::Paused;
 use state::preferences::Preferences;
 use state::title::Title;
 use state::toast::Toast;
@@ -176,6 +177,7 @@ pub fn program(start: Start) -> App {
         .add_plugins(EguiPlugin::default())
         .insert_resource(History::new(scene.scene().clone()))
         .init_resource::<Resolution>()
+        .init_resource::<Paused>()
         .insert_resource(LightMeter::at(scene.picture.exposure_ev))
         .insert_resource(DiskClock::at(scene.disk.time))
         .insert_resource(title)
@@ -191,7 +193,6 @@ pub fn program(start: Start) -> App {
             state::toast::plugin,
             state::end_card::plugin,
             state::menu::plugin,
-            state::paused::plugin,
             state::notice::plugin,
             state::hole_in_view::plugin,
             state::scene_editor::plugin,
@@ -208,27 +209,25 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             session::window::plugin,
             session::icon::plugin,
-            (
-                session::frame_pacing::plugin,
-                session::detail_limits::plugin,
-                session::resting_frames::plugin,
-            ),
+            session::frame_pacing::plugin,
+            session::detail_limits::plugin,
             session::canvas::plugin,
             session::pixel_look::plugin,
             session::adaptive_resolution::plugin,
             session::comparison::plugin,
             session::exposure::plugin,
             session::adapter::plugin,
-            session::recovery::RecoveryPlugin,
+            session::recovery::plugin,
             session::quit::plugin,
             session::screenshot::plugin,
             session::clipboard::plugin,
-            session::crash_notes::plugin,
-            (session::link::plugin, session::shader_news::plugin),
+            (
+                session::crash_notes::plugin,
+                session::link::plugin,
+                session::shader_news::plugin,
+            ),
         ))
         .add_plugins((
-            motion::facing::plugin,
-            motion::orbit_camera::plugin,
             motion::pilot::plugin,
             motion::zoom::plugin,
             motion::journey::plugin,

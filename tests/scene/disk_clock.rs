@@ -10,7 +10,7 @@ use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::scene::journey::{self, Journey};
 use lightfall_core::scene::{DiskStructure, HotSpotKind, ObserverKind, Scene};
 use lightfall_picture::{Frames, Sequence};
-use lightfall_render::{Pinned, WaveLimit};
+use lightfall_render::{DetailLimits, Pinned};
 use std::path::Path;
 use std::time::Duration;
 use wgpu::DeviceType;
@@ -250,9 +250,9 @@ fn both_sides_of_a_comparison_have_one_clock() {
 
 #[test]
 fn a_window_on_a_software_renderer_draws_fewer_waves() {
-    let cpu = WaveLimit::of_window(DeviceType::Cpu);
-    assert_eq!((cpu.drawn(24), cpu.drawn(12)), (12, 12));
+    let cpu = DetailLimits::of_window(DeviceType::Cpu);
+    assert_eq!((cpu.drawn_waves(24), cpu.drawn_waves(12)), (12, 12));
     for kind in [DeviceType::DiscreteGpu, DeviceType::IntegratedGpu] {
-        assert_eq!(WaveLimit::of_window(kind).drawn(48), 48);
+        assert_eq!(DetailLimits::of_window(kind).drawn_waves(48), 48);
     }
 }

@@ -7,15 +7,15 @@
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
+use crate::graphics::{Graphics, TexturePair, picture_size};
 use crate::live_shaders::add_shader;
 use crate::progress::DrawnFrame;
 use crate::refine::refine_edges;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
-use bevy::image::ToExtents;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::renderer::{RenderContext, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Accumulation;
@@ -35,14 +35,8 @@ const STAGE: Stage = (
 #[derive(Resource)]
 pub(super) struct AccumulatePass {
     full_screen: FullScreenPass<Accumulation>,
-    /// `None` while frames are shown as they are.
-    sums: Option<Sums>,
-}
-
-/// The sums after an even and after an odd frame.
-struct Sums {
-    size: UVec2,
-    after: [TextureView; 2],
+    /// The sums after an even and after an odd frame. `None` while frames are shown as they are.
+    sums: Option<TexturePair>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -76,67 +70,41 @@ fn create_accumulate_pass(mut commands: Commands) {
     });
 }
 
-/// Creates what a mean needs, and drops the sums where a frame is shown as it is.
+/// Creates the sums and the pipeline of a mean, and drops the sums where a frame is shown as it is.
 fn prepare_accumulate_pass(
-    request: Option<Res<DrawRequest>>,
-    pass: Option<ResMut<AccumulatePass>>,
-    cache: Res<PipelineCache>,
-    device: Res<RenderDevice>,
-    queue: Res<RenderQueue>,
+    (If(request), If(mut pass)): (If<Res<DrawRequest>>, If<ResMut<AccumulatePass>>),
+    graphics: Graphics,
 ) {
-    let (Some(request), Some(mut pass)) = (request, pass) else {
-        return;
-    };
     let AccumulatePass { full_screen, sums } = &mut *pass;
     let Some(frame) = request.averaged_frame() else {
         *sums = None;
         return;
     };
-    full_screen.queue(STAGE, &cache);
-    full_screen.write(Accumulation { frame }, &device, &queue);
-    let size = request.picture_size();
-    if sums.as_ref().is_none_or(|sums| sums.size != size) {
-        *sums = Some(Sums {
-            size,
-            after: ["sum of even frames", "sum of odd frames"]
-                .map(|label| create_sum(&device, label, size)),
-        });
-    }
-}
-
-fn create_sum(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureView {
-    let texture = device.create_texture(&TextureDescriptor {
-        label: Some(label),
-        size: size.to_extents(),
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format: TextureFormat::Rgba32Float,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&default())
+    full_screen.queue(STAGE, &graphics.cache);
+    full_screen.write(Accumulation { frame }, &graphics);
+    TexturePair::create_or_keep(
+        sums,
+        &graphics.device,
+        ["sum of even frames", "sum of odd frames"],
+        request.picture_size(),
+        TextureFormat::Rgba32Float,
+    );
 }
 
 /// Adds the frame to the mean, and shows it.
 pub(super) fn accumulate_frame(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
-    request: Option<Res<DrawRequest>>,
+    (If(request), If(pass)): (If<Res<DrawRequest>>, If<Res<AccumulatePass>>),
     mut drawn: ResMut<DrawnFrame>,
-    pass: Option<Res<AccumulatePass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let target = view.into_inner();
-    let (Some(request), Some(pass)) = (request, pass) else {
-        return;
-    };
-    let Extent3d { width, height, .. } = target.main_texture().size();
     let sums = pass.sums.as_ref();
     let (true, Some(frame), Some(sums)) = (
         drawn.shows_scene(),
         request.averaged_frame(),
-        sums.filter(|sums| sums.size == UVec2::new(width, height)),
+        sums.filter(|sums| sums.size == picture_size(target)),
     ) else {
         return;
     };
@@ -144,8 +112,8 @@ pub(super) fn accumulate_frame(
     if pass.full_screen.pipeline(STAGE, &cache).is_none() {
         return;
     }
-    let after = &sums.after[frame as usize % 2];
-    let before = &sums.after[(frame as usize + 1) % 2];
+    let after = &sums.views[frame as usize % 2];
+    let before = &sums.views[(frame as usize + 1) % 2];
     let picture = target.post_process_write();
     drawn.is_added = pass.full_screen.draw(
         &mut context,

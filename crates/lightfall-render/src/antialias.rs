@@ -1,12 +1,12 @@
-//! What the search for edges and their refinement (refine.rs) need on the GPU: the pipelines, the
+//! The resources of the search for edges and of their refinement (refine.rs) on the GPU: the pipelines, the
 //! second target of the geodesic pass, and the lists of marked pixels.
 
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
 use crate::drawn_scene::DrawnScene;
+use crate::graphics::{create_buffer, create_target, picture_size, queue_compute_pipeline};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
-use bevy::image::ToExtents;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::binding_types::*;
@@ -81,13 +81,8 @@ impl AntialiasPass {
     ) -> CachedComputePipelineId {
         let layout = &self.layout;
         *self.refine.entry(shader.id()).or_insert_with(|| {
-            cache.queue_compute_pipeline(ComputePipelineDescriptor {
-                label: Some("refine".into()),
-                layout: vec![scene.clone(), layout.clone()],
-                shader: shader.clone(),
-                entry_point: Some("refine".into()),
-                ..default()
-            })
+            let layouts = vec![scene.clone(), layout.clone()];
+            queue_compute_pipeline(cache, "refine", layouts, shader.clone())
         })
     }
 
@@ -95,54 +90,36 @@ impl AntialiasPass {
     /// samples.
     pub(super) fn attachment(&self, target: &ViewTarget) -> Option<RenderPassColorAttachment<'_>> {
         let targets = self.targets.as_ref()?;
-        targets
-            .fits(target)
-            .then_some(())
-            .map(|()| RenderPassColorAttachment {
-                view: &targets.traits,
-                depth_slice: None,
-                resolve_target: None,
-                ops: Operations {
-                    // No class: what the foreground covers stays so.
-                    load: LoadOp::Clear(default()),
-                    store: StoreOp::Store,
-                },
-            })
+        targets.fits(target).then(|| RenderPassColorAttachment {
+            view: &targets.traits,
+            depth_slice: None,
+            resolve_target: None,
+            ops: Operations {
+                // No class: what the foreground covers stays so.
+                load: LoadOp::Clear(default()),
+                store: StoreOp::Store,
+            },
+        })
     }
 }
 
 impl Targets {
     fn new(device: &RenderDevice, size: UVec2, samples: u32, scenes: usize) -> Self {
-        let traits = device.create_texture(&TextureDescriptor {
-            label: Some("classes"),
-            size: size.to_extents(),
-            mip_level_count: 1,
-            sample_count: samples,
-            dimension: TextureDimension::D2,
-            format: TRAITS_FORMAT,
-            usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
-        let buffer = |label, size, usage| {
-            device.create_buffer(&BufferDescriptor {
-                label: Some(label),
-                size,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
         let marks = || Marks {
-            columns: buffer(
+            columns: create_buffer(
+                device,
                 "columns of a scene",
                 COLUMNS_SIZE,
                 BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             ),
-            work: buffer(
+            work: create_buffer(
+                device,
                 "work of the refinement",
                 Edges::WORK_SIZE,
                 BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST,
             ),
-            list: buffer(
+            list: create_buffer(
+                device,
                 "marked pixels",
                 Edges { size }.list_size(),
                 BufferUsages::STORAGE,
@@ -151,16 +128,15 @@ impl Targets {
         Self {
             size,
             samples,
-            traits: traits.create_view(&default()),
+            traits: create_target(device, "classes", size, TRAITS_FORMAT, samples),
             marks: std::iter::repeat_with(marks).take(scenes).collect(),
         }
     }
 
     /// Whether these are the targets of a picture that is drawn to `target`.
     pub(super) fn fits(&self, target: &ViewTarget) -> bool {
-        let Extent3d { width, height, .. } = target.main_texture().size();
         let several = target.sampled_main_texture().is_some();
-        self.size == UVec2::new(width, height) && (self.samples > 1) == several
+        self.size == picture_size(target) && (self.samples > 1) == several
     }
 }
 
@@ -226,11 +202,10 @@ pub(super) fn edges_layout(samples: u32) -> BindGroupLayoutDescriptor {
 pub(super) fn prepare_antialias(
     scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
-    pass: Option<ResMut<AntialiasPass>>,
+    If(mut pass): If<ResMut<AntialiasPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
 ) {
-    let Some(mut pass) = pass else { return };
     let chain = Chain::of(&scene).comparing(&compared);
     if !chain.antialias {
         pass.targets = None;
@@ -246,13 +221,7 @@ pub(super) fn prepare_antialias(
     }
     for (_, shader) in SHADERS.into_iter().filter(|(of, _)| *of == samples) {
         pass.edges.entry(samples).or_insert_with(|| {
-            cache.queue_compute_pipeline(ComputePipelineDescriptor {
-                label: Some("edges".into()),
-                layout: vec![edges_layout(samples)],
-                shader,
-                entry_point: Some("edges".into()),
-                ..default()
-            })
+            queue_compute_pipeline(&cache, "edges", vec![edges_layout(samples)], shader)
         });
     }
 }

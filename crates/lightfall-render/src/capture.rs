@@ -3,7 +3,9 @@
 
 use crate::accumulate::accumulate_frame;
 use crate::camera_markers::SceneCamera;
+use crate::graphics::{create_buffer, picture_size};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
+use bevy::image::ToExtents;
 use bevy::prelude::*;
 use bevy::render::RenderApp;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
@@ -55,17 +57,9 @@ impl Capture {
     pub fn read(&self, device: &RenderDevice) -> Result<Captured, String> {
         let copies = self.copies();
         let Copies { size, light, depth } = copies.as_ref().ok_or("nothing has been drawn yet")?;
-        let half = |bytes: &[u8]| u16::from_le_bytes([bytes[0], bytes[1]]);
         let rgba = read_rows(device, light, *size, 8)?
             .chunks_exact(8)
-            .map(|pixel| {
-                [
-                    half(pixel),
-                    half(&pixel[2..]),
-                    half(&pixel[4..]),
-                    half(&pixel[6..]),
-                ]
-            })
+            .map(|pixel| [0, 2, 4, 6].map(|at| u16::from_le_bytes([pixel[at], pixel[at + 1]])))
             .collect();
         let depth = depth
             .as_ref()
@@ -126,10 +120,7 @@ fn copy_light_and_depth(
     mut context: RenderContext,
 ) {
     let (target, depth) = view.into_inner();
-    let size = UVec2::new(
-        target.main_texture().width(),
-        target.main_texture().height(),
-    );
+    let size = picture_size(target);
     let samples = depth.texture.sample_count();
     let mut copies = capture.copies();
     if copies
@@ -138,12 +129,9 @@ fn copy_light_and_depth(
     {
         let device = context.render_device();
         let buffer = |label, pixel_bytes| {
-            device.create_buffer(&BufferDescriptor {
-                label: Some(label),
-                size: (padded_row(size.x, pixel_bytes) * size.y as usize) as u64,
-                usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
+            let bytes = (padded_row(size.x, pixel_bytes) * size.y as usize) as u64;
+            let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+            create_buffer(device, label, bytes, usage)
         };
         let depth = (samples == 1).then(|| buffer("captured depth", 4));
         *copies = Some(Copies {
@@ -163,10 +151,8 @@ fn copy_light_and_depth(
     let mut to_buffer = |texture: &Texture, aspect, buffer: &Buffer, pixel_bytes| {
         context.command_encoder().copy_texture_to_buffer(
             TexelCopyTextureInfo {
-                texture,
-                mip_level: 0,
-                origin: Origin3d::ZERO,
                 aspect,
+                ..texture.as_image_copy()
             },
             TexelCopyBufferInfo {
                 buffer,
@@ -176,11 +162,7 @@ fn copy_light_and_depth(
                     rows_per_image: None,
                 },
             },
-            Extent3d {
-                width: size.x,
-                height: size.y,
-                depth_or_array_layers: 1,
-            },
+            size.to_extents(),
         );
     };
     to_buffer(target.main_texture(), TextureAspect::All, light, 8);

@@ -74,26 +74,22 @@ impl Chain {
         let rows = u64::from(BLOOM_ROWS)
             .min(rows_of_max_width)
             .min(u64::from(picture.y.div_ceil(2))) as u32;
+        let shows_light = scene.view.shows_light();
+        let smooth_probe = scene.probe.enabled && scene.probe.antialias;
+        let bloom = shows_light && scene.picture.bloom > 0.0 && rows >= MIN_BLOOM_ROWS;
         Self {
             picture,
             probe: scene.probe.enabled,
-            samples: if scene.probe.enabled && scene.probe.antialias {
-                4
-            } else {
-                1
-            },
-            stars: scene.sky.mode == SkyMode::Stars && scene.view.shows_light(),
-            antialias: scene.picture.antialias && scene.view.shows_light(),
-            shows_light: scene.view.shows_light(),
-            frames: if scene.view.shows_light() {
+            samples: if smooth_probe { 4 } else { 1 },
+            stars: shows_light && scene.sky.mode == SkyMode::Stars,
+            antialias: shows_light && scene.picture.antialias,
+            shows_light,
+            frames: if shows_light {
                 scene.picture.samples
             } else {
                 1
             },
-            bloom: (scene.picture.bloom > 0.0
-                && rows >= MIN_BLOOM_ROWS
-                && scene.view.shows_light())
-            .then_some(rows),
+            bloom: bloom.then_some(rows),
             cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
             difference: false,
         }
@@ -131,45 +127,22 @@ impl Chain {
 
     /// Names of the passes in their order, as in `render --timings`.
     pub fn passes(&self) -> Vec<&'static str> {
-        let stars: &[_] = if self.stars { &["stars"] } else { &[] };
-        let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
-        let bloom: &[_] = if self.bloom.is_some() {
-            &["bloom"]
-        } else {
-            &[]
+        let optional = |present: bool, names: &'static [&'static str]| {
+            if present { names } else { &[] }
         };
-        let cells: &[_] = if self.cells.is_some() {
-            &["pixelate"]
-        } else {
-            &[]
-        };
-        let edges: &[_] = if self.antialias {
-            &["edges", "refine"]
-        } else {
-            &[]
-        };
-        let mean: &[_] = if self.frames > 1 {
-            &["accumulate"]
-        } else {
-            &[]
-        };
-        let difference: &[_] = if self.difference {
-            &["geodesic_pinned", "difference"]
-        } else {
-            &[]
-        };
-        let scene_camera = [
-            stars,
-            lamps,
+        [
+            optional(self.stars, &["stars"]),
+            optional(self.probe, &["clustering"]),
             &["main_opaque_pass_3d", "geodesic"],
-            difference,
-            edges,
-            mean,
-            bloom,
+            optional(self.difference, &["geodesic_pinned", "difference"]),
+            optional(self.antialias, &["edges", "refine"]),
+            optional(self.frames > 1, &["accumulate"]),
+            optional(self.bloom.is_some(), &["bloom"]),
             &["tonemapping"],
+            optional(self.cells.is_some(), &["pixelate"]),
+            self.idle_passes(),
         ]
-        .concat();
-        [&scene_camera, cells, self.idle_passes()].concat()
+        .concat()
     }
 
     /// Names of the passes that also run while nothing changes: they show the last picture.
@@ -183,31 +156,30 @@ impl Chain {
 
     /// The textures that pass data from one pass to the next.
     pub fn textures(&self) -> Vec<WrittenTexture> {
-        let of_picture = |name, format| WrittenTexture {
-            name,
-            size: self.picture,
-            format,
-            levels: 1,
-        };
-        let mut textures = vec![
-            of_picture("HDR picture", "rgba16float"),
-            of_picture("tone-mapped picture", "rgba16float"),
-            of_picture("depth", "depth32float"),
+        let of_picture_size = [
+            (true, "HDR picture", "rgba16float"),
+            (true, "tone-mapped picture", "rgba16float"),
+            (true, "depth", "depth32float"),
+            (self.difference, "light of the scene", "rgba16float"),
+            (self.difference, "light of the pinned scene", "rgba16float"),
+            (
+                self.samples > 1,
+                "HDR picture of four samples",
+                "rgba16float",
+            ),
+            (self.antialias, "classes", "rg8uint"),
+            (self.frames > 1, "sum of frames", "rgba32float"),
+            (self.frames > 1, "sum of one frame less", "rgba32float"),
         ];
-        if self.difference {
-            textures.push(of_picture("light of the scene", "rgba16float"));
-            textures.push(of_picture("light of the pinned scene", "rgba16float"));
-        }
-        if self.samples > 1 {
-            textures.push(of_picture("HDR picture of four samples", "rgba16float"));
-        }
-        if self.antialias {
-            textures.push(of_picture("classes", "rg8uint"));
-        }
-        if self.frames > 1 {
-            textures.push(of_picture("sum of frames", "rgba32float"));
-            textures.push(of_picture("sum of one frame less", "rgba32float"));
-        }
+        let present = of_picture_size.into_iter().filter(|(present, ..)| *present);
+        let mut textures: Vec<_> = present
+            .map(|(_, name, format)| WrittenTexture {
+                name,
+                size: self.picture,
+                format,
+                levels: 1,
+            })
+            .collect();
         textures.extend(self.bloom.map(|rows| {
             WrittenTexture {
                 name: "bloom",

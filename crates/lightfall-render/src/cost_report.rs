@@ -2,8 +2,8 @@
 //! the shader variant and the chain that draw the scene.
 
 use crate::chain::{Chain, EMPTY_PASSES, WrittenTexture};
+use crate::detail_limits::DetailLimits;
 use crate::resting_frames::FRAMES_AT_REST;
-use crate::wave_limit::WaveLimit;
 use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::stars::{StarKernel, sums_size};
 use lightfall_core::numbers::four_digits;
@@ -14,7 +14,7 @@ use wgpu::DeviceType;
 
 /// The cost report of the scene as text: its name, then one line per topic.
 pub fn cost_report(scene: &Scene) -> String {
-    let rows = cost_rows(scene, WaveLimit::default());
+    let rows = cost_rows(scene, DetailLimits::default());
     let lines = rows
         .iter()
         .map(|(topic, items)| format!("{topic:16} {items}\n"));
@@ -24,103 +24,80 @@ pub fn cost_report(scene: &Scene) -> String {
 /// The cost report of the scene as rows: a topic, and what belongs to it. The rows depend on the
 /// scene's method, its view, its disk without the clock, its [`Variant`] and its [`Chain`], and on
 /// how many waves are drawn, and on nothing else.
-pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)> {
+pub fn cost_rows(scene: &Scene, limits: DetailLimits) -> Vec<(&'static str, String)> {
     let variant = Variant::picture(scene);
     let chain = Chain::of(scene);
-    let (set, unset): (Vec<_>, Vec<_>) = variant.flags().into_iter().partition(|(_, set)| *set);
-    let names = |flags: Vec<(&'static str, bool)>| {
-        flags.into_iter().map(|(name, _)| name).collect::<Vec<_>>()
+    let flags = |set: bool| {
+        let flags = variant.flags().into_iter();
+        flags.filter_map(move |(name, is_set)| (is_set == set).then_some(name))
     };
     let full = chain_with_everything(&chain);
-    let textures = chain.textures();
-    let absent = full
-        .textures()
-        .into_iter()
-        .filter(|absent| textures.iter().all(|texture| texture.name != absent.name));
-    let passes = chain.passes();
-    let mut rows = Vec::new();
-    let mut row = |topic: &'static str, items: &[String]| {
-        let items = if items.is_empty() {
-            "none".into()
-        } else {
-            items.join(", ")
-        };
-        rows.push((topic, items));
-    };
+    let (passes, textures) = (chain.passes(), chain.textures());
+    let absent_passes = full.passes().into_iter();
+    let absent_passes = absent_passes.filter(|pass| !passes.contains(pass));
+    let absent_textures = full.textures().into_iter().map(|texture| texture.name);
+    let absent_textures =
+        absent_textures.filter(|absent| textures.iter().all(|texture| texture.name != *absent));
+    let size = chain.picture;
     let cells = chain.cells.map_or("no cells".into(), |grid| {
         format!("{}x{} cells", grid.x, grid.y)
     });
-    let size = chain.picture;
-    row("picture", &[format!("{}x{} pixels", size.x, size.y), cells]);
-    let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
-    row(
-        "method",
-        &[format!(
-            "{} (asked for: {})",
-            traced_by(scene),
-            scene.method.word()
-        )],
-    );
-    row(
-        "disk crossings",
-        &[if variant.disk {
-            variant.max_hits.to_string()
-        } else {
-            "none".into()
-        }],
-    );
-    row("edges", &[edges(&chain).into()]);
-    row("frames averaged", &[frames(&chain)]);
-    row("disk's light", &lights(scene, variant, limit));
-    row("disk's clock", &[clock(scene)]);
-    row("stars", &stars(scene, chain));
-    row("star kernels", &star_kernels(scene, chain));
-    row("star files", &star_files(scene, chain));
-    row("flags set", &own(names(set)));
-    row("flags not set", &own(names(unset)));
-    row("shader files", &own(variant.files()));
-    row("files left out", &own(unused_files(variant)));
-    row("passes", &own(passes.clone()));
-    row(
-        "passes left out",
-        &own(full
-            .passes()
-            .into_iter()
-            .filter(|pass| !passes.contains(pass))
-            .collect()),
-    );
-    row("passes, empty", &own(EMPTY_PASSES.to_vec()));
-    row("while idle", &own(chain.idle_passes().to_vec()));
-    let written = |texture: &WrittenTexture| {
-        let levels = if texture.levels > 1 {
-            format!(", {} levels", texture.levels)
-        } else {
-            String::new()
-        };
-        format!(
-            "{} {}x{} {}{levels}",
-            texture.name, texture.size.x, texture.size.y, texture.format
-        )
+    let (traced_by, asked_for) = (traced_by(scene), scene.method.word());
+    vec![
+        row("picture", [format!("{}x{} pixels", size.x, size.y), cells]),
+        row("method", [format!("{traced_by} (asked for: {asked_for})")]),
+        row("disk crossings", variant.disk.then_some(variant.max_hits)),
+        row("edges", [edges(&chain)]),
+        row("frames averaged", [frames(&chain)]),
+        row("disk's light", lights(scene, variant, limits)),
+        row("disk's clock", [clock(scene)]),
+        row("stars", stars(scene, chain)),
+        row("star kernels", star_kernels(scene, chain)),
+        row("star files", star_files(scene, chain)),
+        row("flags set", flags(true)),
+        row("flags not set", flags(false)),
+        row("shader files", variant.files()),
+        row("files left out", unused_files(variant)),
+        row("passes", &passes),
+        row("passes left out", absent_passes),
+        row("passes, empty", EMPTY_PASSES),
+        row("while idle", chain.idle_passes()),
+        row("textures", textures.iter().map(texture_in_words)),
+        row("not allocated", absent_textures),
+    ]
+}
+
+/// A topic and its items.
+fn row(topic: &'static str, items: impl IntoIterator<Item: ToString>) -> (&'static str, String) {
+    let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
+    if items.is_empty() {
+        return (topic, "none".into());
+    }
+    (topic, items.join(", "))
+}
+
+fn texture_in_words(texture: &WrittenTexture) -> String {
+    let WrittenTexture {
+        name,
+        size,
+        format,
+        levels,
+    } = texture;
+    let levels = match levels {
+        1 => String::new(),
+        levels => format!(", {levels} levels"),
     };
-    row(
-        "textures",
-        &textures.iter().map(written).collect::<Vec<_>>(),
-    );
-    row(
-        "not allocated",
-        &own(absent.map(|texture| texture.name).collect()),
-    );
-    rows
+    format!("{name} {}x{} {format}{levels}", size.x, size.y)
 }
 
 /// The parts of the disk's light beside its flux.
-fn lights(scene: &Scene, variant: Variant, limit: WaveLimit) -> Vec<String> {
+fn lights(scene: &Scene, variant: Variant, limits: DetailLimits) -> Vec<String> {
     let mut lights = Vec::new();
     if variant.structure {
-        let (waves, drawn) = (scene.disk.waves, limit.drawn(scene.disk.waves));
-        let fewer = match limit {
-            WaveLimit(None) => {
-                let least = WaveLimit::of_window(DeviceType::Cpu).drawn(waves);
+        let (waves, drawn) = (scene.disk.waves, limits.drawn_waves(scene.disk.waves));
+        let fewer = match limits.waves {
+            None => {
+                let least = DetailLimits::of_window(DeviceType::Cpu).drawn_waves(waves);
                 if least < waves {
                     format!(" ({least} in a window on a software renderer)")
                 } else {
@@ -169,9 +146,9 @@ fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
 }
 
 /// The kernels of the star pass, in the order in which they run.
-fn star_kernels(scene: &Scene, chain: Chain) -> Vec<String> {
-    let kernels = StarKernel::of(scene).filter(|_| chain.stars);
-    kernels.map(|kernel| kernel.entry_point().into()).collect()
+fn star_kernels(scene: &Scene, chain: Chain) -> impl Iterator<Item = &'static str> {
+    let kernels = StarKernel::of(scene).filter(move |_| chain.stars);
+    kernels.map(StarKernel::entry_point)
 }
 
 /// The shader files that these kernels have and the picture's shader does not.

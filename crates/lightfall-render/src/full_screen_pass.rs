@@ -1,13 +1,12 @@
 //! Passes that draw one full-screen triangle, without depth.
 
+use crate::graphics::{Graphics, run_render_pass};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
-use bevy::render::diagnostic::RecordDiagnostics;
-use bevy::render::render_phase::TrackedRenderPass;
 use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::encase::internal::WriteInto;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue};
+use bevy::render::renderer::RenderContext;
 
 /// A pass with one shader. Its binding 0 is the uniform `U`, and its other bindings are textures
 /// that it reads texel by texel, in the order of its list in `gpu/bindings.rs`. Each stage of the
@@ -39,9 +38,9 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
     }
 
     /// Writes the uniform.
-    pub(super) fn write(&mut self, uniform: U, device: &RenderDevice, queue: &RenderQueue) {
+    pub(super) fn write(&mut self, uniform: U, graphics: &Graphics) {
         self.uniform.set(uniform);
-        self.uniform.write_buffer(device, queue);
+        self.uniform.write_buffer(&graphics.device, &graphics.queue);
     }
 
     /// Queues the pipeline of a stage, unless it has been queued before.
@@ -108,16 +107,11 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
         let layout = cache.get_bind_group_layout(&self.layout);
         let device = context.render_device();
         let bind_group = device.create_bind_group(name, &layout, &entries);
-        run_full_screen_pass(
-            context,
-            name,
-            targets,
-            pipeline,
-            &bind_group,
-            |render_pass| {
-                render_pass.draw(0..3, 0..1);
-            },
-        );
+        run_render_pass(context, name, targets, None, |render_pass| {
+            render_pass.set_render_pipeline(pipeline);
+            render_pass.set_bind_group(0, &bind_group, &[]);
+            render_pass.draw(0..3, 0..1);
+        });
         true
     }
 }
@@ -130,31 +124,4 @@ pub(super) fn attachment(view: &TextureView) -> Option<RenderPassColorAttachment
         resolve_target: None,
         ops: default(),
     })
-}
-
-/// Runs a pass with one pipeline and one bind group, measured under its name. `draw` issues the
-/// draw calls.
-pub(super) fn run_full_screen_pass(
-    context: &mut RenderContext,
-    name: &'static str,
-    targets: &[Option<RenderPassColorAttachment>],
-    pipeline: &RenderPipeline,
-    bind_group: &BindGroup,
-    draw: impl FnOnce(&mut TrackedRenderPass),
-) {
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some(name),
-        color_attachments: targets,
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    let span = diagnostics.pass_span(&mut render_pass, name);
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, bind_group, &[]);
-    draw(&mut render_pass);
-    span.end(&mut render_pass);
 }

@@ -9,7 +9,6 @@ mod pipeline;
 mod queue;
 mod shader;
 mod side;
-mod sky;
 
 pub(super) use pass::GeodesicPass;
 pub(crate) use shader::GeodesicShaders;
@@ -19,23 +18,22 @@ use crate::antialias::prepare_antialias;
 use crate::comparison::{
     ComparedScene, Comparison, draw_difference, follow_current_scene, prepare_difference,
 };
+use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
 use crate::drawn_scene::DrawnScene;
 use crate::error_map::ShownErrorMap;
+use crate::graphics::Graphics;
 use crate::live_shaders::LiveShaders;
 use crate::progress::DrawnFrame;
 use crate::star_catalogue::StarCatalogue;
-use crate::star_limit::StarLimit;
 use crate::stars::StarPass;
-use crate::wave_limit::WaveLimit;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
-use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use bevy::render::{GpuResourceAppExt, Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
 use lightfall_core::scene::Frame;
 use pipeline::Destination;
@@ -62,6 +60,7 @@ pub(super) fn plugin(app: &mut App) {
         return;
     };
     render_app
+        .init_gpu_resource::<GeodesicPipelines>()
         .add_systems(RenderStartup, create_geodesic_pass)
         .add_systems(
             Render,
@@ -89,7 +88,6 @@ fn create_geodesic_pass(
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    commands.insert_resource(GeodesicPipelines::default());
     commands.insert_resource(GeodesicPass {
         shared: Shared::new(&device, &queue),
         current: Side::default(),
@@ -105,26 +103,23 @@ fn write_scenes(
     compared: Res<ComparedScene>,
     (If(shaders), If(pipelines)): (If<Res<GeodesicShaders>>, If<Res<GeodesicPipelines>>),
     errors: Res<ShownErrorMap>,
-    (waves, request): (Res<WaveLimit>, Option<Res<DrawRequest>>),
+    request: Option<Res<DrawRequest>>,
     mut drawn: ResMut<DrawnFrame>,
-    (catalogue, star_limit): (Res<StarCatalogue>, Res<StarLimit>),
+    (catalogue, limits): (Res<StarCatalogue>, Res<DetailLimits>),
     (If(mut pass), If(mut stars)): (If<ResMut<GeodesicPass>>, If<ResMut<StarPass>>),
-    cache: Res<PipelineCache>,
-    device: Res<RenderDevice>,
-    queue: Res<RenderQueue>,
+    graphics: Graphics,
 ) {
     let pass = &mut *pass;
     pass.changed |= scene.is_changed()
         || shaders.is_changed()
         || errors.is_changed()
         || compared.is_changed()
-        || waves.is_changed()
-        || star_limit.is_changed();
+        || limits.is_changed();
     let frame = Frame::of(&scene);
     let frame = request.map_or(frame, |request| request.next_sample(frame));
     if !pass.changed {
         drawn.is_present = true;
-        pass.set_frame(&scene, &compared, &frame, &device, &queue);
+        pass.set_frame(&scene, &compared, &frame, &graphics);
         return;
     }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
@@ -135,14 +130,11 @@ fn write_scenes(
         shared: &mut pass.shared,
         layout: &pipelines.layout,
         errors: &errors.map,
-        waves: *waves,
+        limits: *limits,
         stars: &mut stars,
         catalogue: *catalogue,
-        star_limit: *star_limit,
         frame: &frame,
-        cache: &cache,
-        device: &device,
-        queue: &queue,
+        graphics: &graphics,
     };
     pass.current.write(&scene, current, &mut writer);
     pass.pinned = match (compared.drawn(), pipelines.pinned) {

@@ -26,12 +26,14 @@ mod capture;
 mod chain;
 mod comparison;
 mod cost_report;
+mod detail_limits;
 mod device;
 mod draw_request;
 mod drawn_scene;
 mod error_map;
 mod full_screen_pass;
 mod geodesic;
+mod graphics;
 mod live_shaders;
 mod pass_shaders;
 mod presentation;
@@ -44,15 +46,14 @@ mod resting_frames;
 mod scene_camera;
 mod shader_reload;
 mod star_catalogue;
-mod star_limit;
 mod stars;
-mod wave_limit;
 
 pub use camera_markers::{SceneCamera, ScreenCamera};
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
 pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
 pub use cost_report::{cost_report, cost_rows};
+pub use detail_limits::DetailLimits;
 pub use device::render_plugin;
 pub use draw_request::AlwaysDraw;
 pub use drawn_scene::{CurrentFrame, CurrentScene, DrawnScene, FrameScene, draw_scene_in_frame};
@@ -65,8 +66,6 @@ pub use redraw::is_drawn;
 pub use resting_frames::RestingFrames;
 pub use scene_camera::NEAR_PLANE;
 pub use star_catalogue::StarCatalogue;
-pub use star_limit::StarLimit;
-pub use wave_limit::WaveLimit;
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -86,28 +85,23 @@ impl Plugin for LightfallRenderPlugin {
         drawn_scene::insert(app, self.scene.clone());
         app.insert_resource(ClearColor(Color::BLACK))
             .init_resource::<StarCatalogue>()
-            .init_resource::<StarLimit>()
-            .init_resource::<WaveLimit>()
+            .init_resource::<DetailLimits>()
             .init_resource::<RestingFrames>()
-            .add_plugins(ExtractResourcePlugin::<WaveLimit>::default())
-            .add_plugins(comparison::plugin)
-            .add_plugins((
-                scene_camera::SceneCameraPlugin {
-                    target: self.target.clone(),
-                },
-                probe::plugin,
-            ))
-            .add_plugins((
-                geodesic::plugin,
-                antialias::plugin,
-                stars::plugin,
-                refine::plugin,
-                accumulate::plugin,
-                error_map::plugin,
-                capture::plugin,
-                redraw::plugin,
-                presentation::plugin,
-                shader_reload::plugin,
-            ));
+            .add_plugins(ExtractResourcePlugin::<DetailLimits>::default())
+            .add_plugins(comparison::plugin);
+        scene_camera::insert(app, self.target.clone());
+        app.add_plugins((
+            probe::plugin,
+            geodesic::plugin,
+            antialias::plugin,
+            stars::plugin,
+            refine::plugin,
+            accumulate::plugin,
+            error_map::plugin,
+            capture::plugin,
+            redraw::plugin,
+            presentation::plugin,
+            shader_reload::plugin,
+        ));
     }
 }

@@ -3,7 +3,6 @@
 
 mod fit;
 mod letterbox;
-mod stages;
 
 pub use fit::{fit, resized};
 pub use letterbox::{Letterbox, letterbox};
@@ -11,7 +10,8 @@ pub use letterbox::{Letterbox, letterbox};
 use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::chain::Chain;
 use crate::drawn_scene::DrawnScene;
-use crate::full_screen_pass::{FullScreenPass, attachment};
+use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
+use crate::graphics::{Graphics, create_target};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
@@ -20,15 +20,21 @@ use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::renderer::{RenderContext, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Presentation;
 use lightfall_core::scene::Picture;
-use stages::{PIXELATE, create_grid, expand_to, fit_to};
 
 /// The shader of all stages.
 const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
+
+/// Format of the cells: linear light encoded with the sRGB transfer function, so that 8 bits keep
+/// every quantization level apart.
+const GRID_FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+
+/// The stage that reduces the picture to cells.
+const PIXELATE: Stage = ("pixelate", [Some(GRID_FORMAT), None]);
 
 /// As many levels as eight bits tell apart.
 const EXACT_LEVELS: u32 = 256;
@@ -73,6 +79,18 @@ struct PresentationPass {
     last_picture: LastPicture,
 }
 
+impl PresentationPass {
+    /// The stage that draws to the output: it expands the cells, or scales the picture itself.
+    fn last_stage(&self) -> Stage {
+        let name = if self.cells.is_some() {
+            "expand"
+        } else {
+            "fit"
+        };
+        (name, [Some(self.output), None])
+    }
+}
+
 pub(super) fn plugin(app: &mut App) {
     add_shader(
         app,
@@ -115,13 +133,10 @@ fn prepare_presentation_pass(
     shown: Res<ShownCells>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
     scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
-    pass: Option<ResMut<PresentationPass>>,
-    cache: Res<PipelineCache>,
-    device: Res<RenderDevice>,
-    queue: Res<RenderQueue>,
+    If(mut pass): If<ResMut<PresentationPass>>,
+    graphics: Graphics,
 ) {
-    let (Some(mut pass), Ok((camera, view)), Ok((source, active))) =
-        (pass, screen.single(), scene_camera.single())
+    let (Ok((camera, view)), Ok((source, active))) = (screen.single(), scene_camera.single())
     else {
         return;
     };
@@ -183,20 +198,17 @@ fn prepare_presentation_pass(
                 ..cells
             },
             _ => Cells {
-                view: create_grid(&device, grid),
+                view: create_target(&graphics.device, "presentation grid", grid, GRID_FORMAT, 1),
                 settings,
                 filled: false,
             },
         }
     });
-    let output = pass.output;
-    let pass = &mut pass.full_screen;
-    pass.write(uniform, &device, &queue);
-    if picture.bypass {
-        pass.queue(fit_to(output), &cache);
-    } else {
-        pass.queue(PIXELATE, &cache);
-        pass.queue(expand_to(output), &cache);
+    pass.full_screen.write(uniform, &graphics);
+    let last = pass.last_stage();
+    pass.full_screen.queue(last, &graphics.cache);
+    if pass.cells.is_some() {
+        pass.full_screen.queue(PIXELATE, &graphics.cache);
     }
 }
 
@@ -204,27 +216,22 @@ fn prepare_presentation_pass(
 fn draw_cells(
     _screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
     scene_camera: Query<&ViewTarget, With<SceneCamera>>,
-    pass: Option<ResMut<PresentationPass>>,
+    If(mut pass): If<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let (Some(mut pass), Ok(source)) = (pass, scene_camera.single()) else {
+    let (Some(cells), Ok(source)) = (&pass.cells, scene_camera.single()) else {
         return;
     };
-    let Some(Cells {
-        view,
-        filled: false,
-        ..
-    }) = &pass.cells
-    else {
+    if cells.filled {
         return;
-    };
+    }
     let filled = pass.full_screen.draw(
         &mut context,
         &cache,
         PIXELATE,
         &[source.main_texture_view()],
-        &[attachment(view)],
+        &[attachment(&cells.view)],
     );
     if let Some(cells) = &mut pass.cells {
         cells.filled = filled;
@@ -235,23 +242,20 @@ fn draw_cells(
 fn draw_output(
     screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
     scene_camera: Query<&ViewTarget, With<SceneCamera>>,
-    pass: Option<Res<PresentationPass>>,
+    If(pass): If<Res<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let screen = screen.into_inner();
-    let (Some(pass), Ok(picture)) = (pass, scene_camera.single()) else {
+    let Ok(picture) = scene_camera.single() else {
         return;
     };
-    let (stage, source) = match &pass.cells {
-        Some(cells) => (expand_to(pass.output), &cells.view),
-        None => (fit_to(pass.output), picture.main_texture_view()),
-    };
+    let cells = pass.cells.as_ref().map(|cells| &cells.view);
     pass.full_screen.draw(
         &mut context,
         &cache,
-        stage,
-        &[source],
+        pass.last_stage(),
+        &[cells.unwrap_or(picture.main_texture_view())],
         &[attachment(screen.main_texture_view())],
     );
 }

@@ -217,16 +217,9 @@ fn place_probe(
             phi_deg: scene.probe.phi_deg,
             ..scene.camera
         };
-        let [outward, south, east] = [
-            here.tetrad().x_axis,
-            here.tetrad().y_axis,
-            here.tetrad().z_axis,
-        ];
-        let upright = Quat::from_mat3(&Mat3::from_cols(
-            outward.as_vec3(),
-            -south.as_vec3(),
-            -east.as_vec3(),
-        ));
+        let axes = here.tetrad().as_mat3();
+        let [outward, north, west] = [axes.x_axis, -axes.y_axis, -axes.z_axis];
+        let upright = Quat::from_mat3(&Mat3::from_cols(outward, north, west));
         // Rotated a little, so that light falls on several of its faces.
         let rotation = upright * Quat::from_euler(EulerRot::YZX, 0.7, 0.35, 0.25);
         *transform = Transform {

@@ -8,12 +8,12 @@ use crate::antialias::{AntialiasPass, edges_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::geodesic::GeodesicPass;
+use crate::graphics::run_compute_pass;
 use crate::progress::DrawnFrame;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
 use bevy::render::RenderApp;
-use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
@@ -34,26 +34,23 @@ pub(super) fn plugin(app: &mut App) {
 /// Finds and refines the edges of the picture that this frame has drawn.
 pub(super) fn refine_edges(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
-    geodesic: Option<Res<GeodesicPass>>,
-    (pass, request): (Option<Res<AntialiasPass>>, Option<Res<DrawRequest>>),
+    (If(geodesic), If(pass)): (If<Res<GeodesicPass>>, If<Res<AntialiasPass>>),
+    If(request): If<Res<DrawRequest>>,
     drawn: Res<DrawnFrame>,
     cache: Res<PipelineCache>,
     queue: Res<RenderQueue>,
     mut context: RenderContext,
 ) {
     let target = view.into_inner();
-    let (Some(geodesic), Some(pass)) = (geodesic, pass) else {
-        return;
-    };
     let (Some(targets), Some(edges)) = (
         pass.targets.as_ref().filter(|targets| targets.fits(target)),
         pass.edges_pipeline(&cache),
     ) else {
         return;
     };
-    let Some(request) = request.filter(|request| drawn.is_drawn && request.refines_edges()) else {
+    if !drawn.is_drawn || !request.refines_edges() {
         return;
-    };
+    }
     // All frames of a mean refine the pixels that the first one has marked. Marks that depended on
     // each frame's own rays would make the mean wrong: bright rays would be refined, dark ones not.
     let searches = request.averaged_frame().is_none_or(|frame| frame == 0);
@@ -77,21 +74,7 @@ pub(super) fn refine_edges(
     let edges_layout = cache.get_bind_group_layout(&edges_layout(targets.samples));
     let refine_layout = cache.get_bind_group_layout(&pass.layout);
     let device = context.render_device().clone();
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut compute_pass = |name: &'static str, dispatch: &mut dyn FnMut(&mut ComputePass)| {
-        let mut compute_pass =
-            context
-                .command_encoder()
-                .begin_compute_pass(&ComputePassDescriptor {
-                    label: Some(name),
-                    timestamp_writes: None,
-                });
-        let span = diagnostics.pass_span(&mut compute_pass, name);
-        dispatch(&mut compute_pass);
-        span.end(&mut compute_pass);
-    };
-    let mut find_edges = |compute_pass: &mut ComputePass| {
+    let find_edges = |compute_pass: &mut ComputePass| {
         compute_pass.set_pipeline(edges);
         for ((_, _, columns), marks) in &refinements {
             let bindings = device.create_bind_group(
@@ -110,9 +93,9 @@ pub(super) fn refine_edges(
         }
     };
     if searches {
-        compute_pass("edges", &mut find_edges);
+        run_compute_pass(&mut context, "edges", find_edges);
     }
-    compute_pass("refine", &mut |compute_pass| {
+    run_compute_pass(&mut context, "refine", |compute_pass| {
         for ((pipeline, scene, _), marks) in &refinements {
             let bindings = device.create_bind_group(
                 "refinement bindings",

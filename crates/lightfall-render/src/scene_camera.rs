@@ -26,34 +26,29 @@ pub const NEAR_PLANE: f32 = 1e-3;
 /// the same unit.
 const UNIT_EV100: f32 = -0.263_034_4;
 
-/// Spawns the two cameras and applies the scene's settings to the scene camera.
-pub struct SceneCameraPlugin {
-    /// Where the screen camera writes.
-    pub target: RenderTarget,
-}
-
+/// Where the screen camera writes.
 #[derive(Resource, Clone)]
 struct ScreenTarget(RenderTarget);
 
-impl Plugin for SceneCameraPlugin {
-    fn build(&self, app: &mut App) {
-        app.add_plugins((
-            ExtractComponentPlugin::<SceneCamera>::default(),
-            ExtractComponentPlugin::<ScreenCamera>::default(),
-        ))
-        .insert_resource(ScreenTarget(self.target.clone()))
-        .add_systems(Startup, spawn_cameras)
-        .add_systems(
-            PostUpdate,
-            // Before Bevy computes transforms and projections, or the foreground would lag the
-            // traced light by a frame.
-            apply_scene_to_camera
-                .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>))
-                .after(follow_current_scene)
-                .before(TransformSystems::Propagate)
-                .before(CameraUpdateSystems),
-        );
-    }
+/// Spawns the two cameras and applies the scene's settings to the scene camera. The screen camera
+/// writes to `target`.
+pub(super) fn insert(app: &mut App, target: RenderTarget) {
+    app.add_plugins((
+        ExtractComponentPlugin::<SceneCamera>::default(),
+        ExtractComponentPlugin::<ScreenCamera>::default(),
+    ))
+    .insert_resource(ScreenTarget(target))
+    .add_systems(Startup, spawn_cameras)
+    .add_systems(
+        PostUpdate,
+        // Before Bevy computes transforms and projections, or the foreground would lag the traced
+        // light by a frame.
+        apply_scene_to_camera
+            .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>))
+            .after(follow_current_scene)
+            .before(TransformSystems::Propagate)
+            .before(CameraUpdateSystems),
+    );
 }
 
 fn spawn_cameras(
@@ -137,20 +132,16 @@ fn apply_scene_to_camera(
         mut usages,
     ) = camera.into_inner();
     let chain = Chain::of(&scene).comparing(&compared);
-    let samples = if chain.samples > 1 {
+    msaa.set_if_neq(if chain.samples > 1 {
         Msaa::Sample4
     } else {
         Msaa::Off
-    };
-    if *msaa != samples {
-        *msaa = samples;
-    }
-    let needed = if chain.antialias {
+    });
+    let mut needed = CameraMainTextureUsages::default();
+    if chain.antialias {
         // Refined pixels are stored by a compute pass.
-        CameraMainTextureUsages::default().with(TextureUsages::STORAGE_BINDING)
-    } else {
-        CameraMainTextureUsages::default()
-    };
+        needed = needed.with(TextureUsages::STORAGE_BINDING);
+    }
     if usages.0 != needed.0 {
         *usages = needed;
     }
@@ -167,17 +158,9 @@ fn apply_scene_to_camera(
     });
     // The camera stays at the origin, and the probe is placed relative to it in f64, so that it
     // does not jitter far from the hole.
-    let world_from_camera = scene.camera.tetrad() * scene.camera.tetrad_from_camera();
-    let [right, up, forward] = [
-        world_from_camera.x_axis,
-        world_from_camera.y_axis,
-        world_from_camera.z_axis,
-    ];
-    transform.rotation = Quat::from_mat3(&Mat3::from_cols(
-        right.as_vec3(),
-        up.as_vec3(),
-        -forward.as_vec3(),
-    ));
+    let axes = (scene.camera.tetrad() * scene.camera.tetrad_from_camera()).as_mat3();
+    let backward = -axes.z_axis;
+    transform.rotation = Quat::from_mat3(&Mat3::from_cols(axes.x_axis, axes.y_axis, backward));
     *grading = ColorGrading {
         global: ColorGradingGlobal {
             exposure: scene.picture.exposure_ev as f32,
@@ -185,10 +168,7 @@ fn apply_scene_to_camera(
         },
         ..default()
     };
-    let curve = tonemapping_of(&scene);
-    if *tonemapping != curve {
-        *tonemapping = curve;
-    }
+    tonemapping.set_if_neq(tonemapping_of(&scene));
     if let Some(rows) = chain.bloom {
         commands.entity(entity).insert(Bloom {
             intensity: scene.picture.bloom as f32,

@@ -1,6 +1,6 @@
 //! A control: one thing that a key or a button does.
 
-use bevy::prelude::{KeyCode, Message};
+use bevy::prelude::{KeyCode, Message, MessageReader};
 use lightfall_core::scene::{Scene, Value, View};
 
 /// One control.
@@ -186,6 +186,13 @@ pub enum AppCommand {
     Compare,
     /// Show the difference from the pinned settings, or amplify it more.
     Difference,
+}
+
+impl AppCommand {
+    /// How many times this command was sent since the last reading. All other commands are read, too.
+    pub(crate) fn count(self, commands: &mut MessageReader<Self>) -> usize {
+        commands.read().filter(|command| **command == self).count()
+    }
 }
 
 /// The ways to move while a control is held.

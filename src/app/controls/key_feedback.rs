@@ -19,6 +19,10 @@ pub fn remark(
     bindings: &Bindings,
 ) -> Option<String> {
     let key = |id| bindings.first_label(id);
+    let way_back = |does: &str| {
+        let id = view_key(after.view);
+        id.map_or(String::new(), |id| format!("; {} {does}", key(id)))
+    };
     match control.id {
         "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {
@@ -40,11 +44,8 @@ pub fn remark(
         "light.doppler" | "light.gravitational_shift" | "light.beaming"
             if hides_light(control, after.view) =>
         {
-            let back = view_key(after.view).map(|id| format!("; {} shows it again", key(id)));
-            Some(format!(
-                "this view shows no light{}",
-                back.unwrap_or_default()
-            ))
+            let back = way_back("shows it again");
+            Some(format!("this view shows no light{back}"))
         }
         "light.doppler" if !after.disk.enabled && at_rest(after) => {
             Some("nothing in view moves".into())
@@ -57,11 +58,8 @@ pub fn remark(
             key("scene.probe")
         )),
         "picture.dither" | "picture.levels" if !after.view.shows_light() => {
-            let back = view_key(after.view).map(|id| format!("; {} shows light", key(id)));
-            Some(format!(
-                "a view keeps its exact colours{}",
-                back.unwrap_or_default()
-            ))
+            let back = way_back("shows light");
+            Some(format!("a view keeps its exact colours{back}"))
         }
         "picture.dither" | "picture.levels" if after.picture.bypass => Some(format!(
             "this shows in the pixel look only; {} switches it on",

@@ -87,30 +87,14 @@ fn refused(refusal: &Refusal, scene: &Scene) -> String {
         ("camera.r", Some(Bound::Included(low) | Bound::Excluded(low)))
             if scene.camera.r <= low =>
         {
-            match scene.observer.kind {
-                ObserverKind::Rain => too_deep(scene.hole.spin, low),
-                ObserverKind::Static => no_observer(
-                    &ObserverError::Static {
-                        r: scene.camera.r,
-                        limit: low,
-                    },
-                    scene,
-                ),
-                ObserverKind::Zamo => no_observer(
-                    &ObserverError::Zamo {
-                        r: scene.camera.r,
-                        horizon: low,
-                    },
-                    scene,
-                ),
-                ObserverKind::Orbit => no_observer(
-                    &ObserverError::Orbit {
-                        r: scene.camera.r,
-                        photon_orbit: low,
-                    },
-                    scene,
-                ),
-            }
+            let (r, limit, horizon, photon_orbit) = (scene.camera.r, low, low, low);
+            let error = match scene.observer.kind {
+                ObserverKind::Rain => return too_deep(scene.hole.spin, low),
+                ObserverKind::Static => ObserverError::Static { r, limit },
+                ObserverKind::Zamo => ObserverError::Zamo { r, horizon },
+                ObserverKind::Orbit => ObserverError::Orbit { r, photon_orbit },
+            };
+            no_observer(&error, scene)
         }
         ("disk.tilt_deg", _) if scene.hole.spin != 0.0 => format!(
             "around a hole that spins the disk must lie in the equator (its tilt is {}° and must be 0)",

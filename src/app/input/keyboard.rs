@@ -115,10 +115,7 @@ fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bi
 }
 
 fn undo_last_change(mut commands: MessageReader<AppCommand>, mut editor: SceneEditor) {
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::Undo)
-    {
+    for _ in 0..AppCommand::Undo.count(&mut commands) {
         editor.undo();
     }
 }

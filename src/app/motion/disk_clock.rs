@@ -13,7 +13,7 @@
 //! Views of rays and of shifts do not depend on the time. There the clock stands still, so that the
 //! window can rest. What the clock does is no edit of the scene: it cannot be undone.
 
-use super::free_fall::{FreeFall, advance_free_fall, keys_are_the_clocks};
+use super::free_fall::{FreeFall, advance_free_fall, keys_change_disk_rate};
 use super::journey::advance_journey;
 use super::journey_player::JourneyPlayer;
 use super::pilot::steer_camera;
@@ -137,7 +137,7 @@ fn change_rate(
             _ => continue,
         };
         let scene = editor.scene();
-        if !keys_are_the_clocks(&scene, &free_fall, &player) {
+        if !keys_change_disk_rate(&scene, &free_fall, &player) {
             continue;
         }
         let mut changed = scene;

@@ -55,7 +55,7 @@ pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Update, keep_edge_in_view.after(advance_free_fall));
 }
 
-/// Whose the camera's orientation is during a fall.
+/// Whether the fall or the user orients the camera.
 #[derive(Default)]
 struct EdgeView {
     /// Yaw, pitch and roll as they were left. Other values were set by hand.
@@ -75,7 +75,7 @@ fn keep_edge_in_view(
     mut editor: SceneEditor,
     mut view: Local<EdgeView>,
 ) {
-    let faces = commands.read().any(|command| *command == AppCommand::Face);
+    let faces = AppCommand::Face.count(&mut commands) > 0;
     if !free_fall.is_fall() {
         *view = EdgeView::default();
         return;

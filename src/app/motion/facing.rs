@@ -99,10 +99,6 @@ pub fn between_axes(from: DMat3, to: DMat3, share: f64) -> DMat3 {
     DMat3::from_quat(DQuat::IDENTITY.slerp(rotation, eased)) * from
 }
 
-pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<Facing>();
-}
-
 /// Starts a turn when its key is pressed.
 pub(crate) fn start_facing(
     mut commands: MessageReader<AppCommand>,
@@ -110,10 +106,7 @@ pub(crate) fn start_facing(
     mut facing: ResMut<Facing>,
     mut toast: ResMut<Toast>,
 ) {
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::Face)
-    {
+    for _ in 0..AppCommand::Face.count(&mut commands) {
         let aim = match facing.turn.as_ref().map(|turn| turn.aim) {
             Some(Aim::Hole) => Aim::Outward,
             Some(Aim::Outward) => Aim::Hole,

@@ -4,6 +4,7 @@
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
+use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::refusal::no_observer;
@@ -15,7 +16,6 @@ use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::gpu::Drawable;
@@ -164,16 +164,12 @@ impl FreeFall {
         let Some(worldline) = self.worldline() else {
             return String::new();
         };
-        let horizon = Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
         let own = format!("clock {} r_s/c", steady_digits(worldline.proper_time()));
         // The read-outs above say that a fall is one.
-        let own = match (worldline.is_circular(), scene.camera.r > horizon) {
+        let own = match (worldline.is_circular(), is_inside(scene)) {
             (true, _) => format!("In orbit · your {own}"),
-            (false, true) => format!("Your {own}"),
-            (false, false) => {
+            (false, false) => format!("Your {own}"),
+            (false, true) => {
                 let [left, end] = time_left(worldline, scene);
                 return format!("Inside the horizon · your {own} · {left} {end}");
             }
@@ -210,9 +206,7 @@ impl FreeFall {
         let (r, proper_time) = (scene.camera.r, worldline.proper_time());
         match limit {
             Some(Limit::Inner) => {
-                let kerr = Kerr {
-                    spin: scene.hole.spin,
-                };
+                let kerr = scene.kerr();
                 let (horizon, inner) = (kerr.horizon(), four_digits(kerr.inner_horizon()));
                 let reason = if kerr.spin == 0.0 {
                     "Deeper in, tides and blueshift grow without limit, and no picture would be true.".into()
@@ -292,17 +286,14 @@ fn apply_free_fall_commands(
                 }
             }
             AppCommand::FasterTime | AppCommand::SlowerTime
-                if keys_are_the_clocks(&scene, &free_fall, &player) =>
-            {
-                continue;
+                if keys_change_disk_rate(&scene, &free_fall, &player) => {}
+            AppCommand::FasterTime | AppCommand::SlowerTime => {
+                let faster = *command == AppCommand::FasterTime;
+                free_fall.change_pace(if faster { 1 } else { -1 });
+                let suns = preferences.settings.hole_mass_suns;
+                editor.say(free_fall.rate_words(scene.camera.r, suns));
             }
-            AppCommand::FasterTime => free_fall.change_pace(1),
-            AppCommand::SlowerTime => free_fall.change_pace(-1),
-            _ => continue,
-        }
-        if matches!(command, AppCommand::FasterTime | AppCommand::SlowerTime) {
-            let suns = preferences.settings.hole_mass_suns;
-            editor.say(free_fall.rate_words(scene.camera.r, suns));
+            _ => {}
         }
     }
 }
@@ -351,7 +342,7 @@ pub(super) fn advance_free_fall(
 
 /// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a
 /// fall or a journey is under way, and where nothing else moves, they change the pace of a fall.
-pub(super) fn keys_are_the_clocks(
+pub(super) fn keys_change_disk_rate(
     scene: &Scene,
     free_fall: &FreeFall,
     player: &JourneyPlayer,

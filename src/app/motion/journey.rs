@@ -2,6 +2,7 @@
 
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
+use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::end_card::EndCard;
@@ -9,7 +10,6 @@ use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::scene::Scene;
 
 /// Seconds by which one press goes ahead or back.
@@ -117,11 +117,7 @@ pub(super) fn advance_journey(
         FlightStep::Ended(next) => {
             editor.fly(&next);
             let again = ("journey.again", "fly it again");
-            let horizon = Kerr {
-                spin: next.hole.spin,
-            }
-            .horizon();
-            let fall = (next.camera.r > horizon).then_some(("motion.let_go", "let go and fall"));
+            let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
             end_card.show("The journey ends here", &ending(&next), again, fall);
         }
         FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
@@ -130,11 +126,7 @@ pub(super) fn advance_journey(
 
 /// Where a journey has ended, for the end card.
 fn ending(scene: &Scene) -> String {
-    let r = scene.camera.r;
-    let horizon = Kerr {
-        spin: scene.hole.spin,
-    }
-    .horizon();
+    let (r, horizon) = (scene.camera.r, scene.kerr().horizon());
     let observer = scene.observer.kind.properties();
     if r < horizon {
         format!(

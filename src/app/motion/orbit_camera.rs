@@ -86,10 +86,6 @@ pub fn orbited(scene: &Drawable, step: &OrbitStep) -> Result<Steered, Undrawable
     })
 }
 
-pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<OrbitCamera>();
-}
-
 /// Switches the orbit camera on and off by its key, and off when another motion begins or another
 /// scene is loaded.
 pub(crate) fn switch_orbit_camera(

@@ -6,6 +6,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
+use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_render::CurrentScene;
 
@@ -13,15 +14,23 @@ pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Update, (apply_pause_command, end_pause));
 }
 
-/// What has ended is no longer paused.
-fn end_pause(
-    player: Res<JourneyPlayer>,
-    free_fall: Res<FreeFall>,
-    scene: Res<CurrentScene>,
-    mut moved: Local<bool>,
-    mut paused: ResMut<Paused>,
-) {
-    let moves = player.is_playing() || free_fall.is_moving() || scene.disk_moves();
+/// What can be paused.
+#[derive(SystemParam)]
+struct Motion<'w> {
+    player: Res<'w, JourneyPlayer>,
+    free_fall: Res<'w, FreeFall>,
+    scene: Res<'w, CurrentScene>,
+}
+
+impl Motion<'_> {
+    fn is_any(&self) -> bool {
+        self.player.is_playing() || self.free_fall.is_moving() || self.scene.disk_moves()
+    }
+}
+
+/// Ends the pause when nothing is left to pause.
+fn end_pause(motion: Motion, mut moved: Local<bool>, mut paused: ResMut<Paused>) {
+    let moves = motion.is_any();
     if *moved && !moves {
         paused.0 = false;
     }
@@ -30,18 +39,13 @@ fn end_pause(
 
 fn apply_pause_command(
     mut commands: MessageReader<AppCommand>,
-    player: Res<JourneyPlayer>,
-    free_fall: Res<FreeFall>,
-    scene: Res<CurrentScene>,
+    motion: Motion,
     bindings: Res<Bindings>,
     mut paused: ResMut<Paused>,
     mut toast: ResMut<Toast>,
 ) {
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::Pause)
-    {
-        let moves = player.is_playing() || free_fall.is_moving() || scene.disk_moves();
+    for _ in 0..AppCommand::Pause.count(&mut commands) {
+        let moves = motion.is_any();
         paused.0 = moves && !paused.0;
         let [pause, journey, fall] =
             ["motion.pause", "journey.fly", "motion.let_go"].map(|id| bindings.label(id));

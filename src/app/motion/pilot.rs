@@ -65,6 +65,8 @@ pub(crate) fn plugin(app: &mut App) {
         drags: false,
         orbit_notches: 0.0,
     })
+    .init_resource::<Facing>()
+    .init_resource::<OrbitCamera>()
     .add_systems(
         Update,
         (
@@ -114,7 +116,7 @@ fn start_drag(
     }
 }
 
-/// One key grabs and frees the mouse. Another key, and losing the focus, free it.
+/// Grabs or frees the mouse when its key is pressed, and frees it when the window loses the focus.
 pub(crate) fn grab_mouse(
     mut commands: MessageReader<AppCommand>,
     buttons: Res<ButtonInput<MouseButton>>,
@@ -124,10 +126,7 @@ pub(crate) fn grab_mouse(
     window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
 ) {
     let (window, mut cursor) = window.into_inner();
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::MouseLook)
-    {
+    for _ in 0..AppCommand::MouseLook.count(&mut commands) {
         pilot.free_look = !pilot.free_look;
         toast.say(if pilot.free_look {
             format!(
@@ -174,7 +173,7 @@ fn looks(pilot: &Pilot, buttons: &ButtonInput<MouseButton>) -> bool {
     pilot.free_look || pilot.drags || buttons.pressed(MouseButton::Right)
 }
 
-/// What the hand does in a frame.
+/// The user's input to flying in one frame.
 struct Hand {
     /// Thrust toward the camera's right, up and forward, of length one at most.
     thrust: DVec3,
@@ -216,15 +215,12 @@ impl Hand {
         }
     }
 
-    /// The hand in free flight.
+    /// The steering in free flight. `None` if there is no input.
     fn steering(&self, scene: &Scene, throttle: f64, seconds: f64) -> Option<Steering> {
         // Right and up, as shares of the field of view.
         let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds;
         let roll = self.roll * ROLL_SPEED * seconds;
-        let [_, half_height] = scene
-            .camera
-            .half_angles(scene.picture.size().as_dvec2())
-            .to_array();
+        let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;
         let turn = (look * 2.0 * half_height).extend(roll);
         (self.thrust != DVec3::ZERO || turn != DVec3::ZERO).then_some(Steering {
             thrust: self.thrust,
@@ -234,7 +230,8 @@ impl Hand {
         })
     }
 
-    /// The hand on the orbit camera. The mouse drags the picture, so the camera goes the other way.
+    /// The step of the orbit camera, or `None` without input. The mouse drags the picture, so the
+    /// camera goes the other way.
     fn orbit_step(&self, notches: f64, seconds: f64) -> Option<OrbitStep> {
         let keys = self.thrust.truncate() + self.stick;
         let around = keys * ORBIT_SPEED * self.gear * seconds - self.mouse * ORBIT_TURN;
@@ -267,7 +264,7 @@ pub(super) fn steer_camera(
         let Some(step) = hand.orbit_step(notches, seconds) else {
             return;
         };
-        // The orbit camera turns to the hole first, and moves then.
+        // The orbit camera turns to the hole before it moves.
         if facing.is_turning() {
             return;
         }
@@ -312,7 +309,7 @@ fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>
     };
     let barrier = flown.stopped_by.map(|barrier| match barrier {
         Barrier::MinRadius => {
-            format!("Hand flight goes no nearer than {MIN_RADIUS} r_s: {fall} lets go and falls in")
+            format!("You can fly no closer than {MIN_RADIUS} r_s by hand: {fall} lets you fall in")
         }
         Barrier::Horizon => {
             format!("Inside the horizon every way leads inward: {fall} falls on, {back} returns")

@@ -5,7 +5,6 @@
 //! inward slows down while the hole fills the view.
 
 use glam::{DMat3, DVec3};
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::{MAX_RADIUS, ObserverKind, Scene};
@@ -135,7 +134,7 @@ pub(super) fn radius_after(
         let speed = SPEED * camera.r * pace.outward;
         return ((camera.r + rise * speed * time).min(MAX_RADIUS), None);
     }
-    let gap = camera.r - horizon(scene);
+    let gap = camera.r - scene.kerr().horizon();
     // The distance shrinks by the same factor in every second, however long a frame is.
     let r = camera.r + gap * (rise * SPEED * pace.inward * time).exp_m1();
     if r <= min {
@@ -170,16 +169,9 @@ impl Pace {
     }
 }
 
-fn horizon(scene: &Scene) -> f64 {
-    Kerr {
-        spin: scene.hole.spin,
-    }
-    .horizon()
-}
-
 /// Whether the camera is at or inside the horizon.
 pub(crate) fn is_inside(scene: &Scene) -> bool {
-    scene.camera.r <= horizon(scene)
+    scene.camera.r <= scene.kerr().horizon()
 }
 
 /// The turn to the right, then up, then clockwise, as a matrix of the camera's own axes (right, up,

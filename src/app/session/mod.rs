@@ -18,7 +18,6 @@ pub(crate) mod page;
 pub(crate) mod pixel_look;
 pub(crate) mod quit;
 pub(crate) mod recovery;
-pub(crate) mod resting_frames;
 pub(crate) mod screenshot;
 pub(crate) mod shader_news;
 pub(crate) mod window;

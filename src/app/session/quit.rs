@@ -34,11 +34,7 @@ fn quit(
     } else {
         *down_since = None;
     }
-    let wanted = commands
-        .read()
-        .filter(|command| **command == AppCommand::Quit)
-        .count();
-    if wanted == 0 {
+    if AppCommand::Quit.count(&mut commands) == 0 {
         return;
     }
     if IN_BROWSER {

@@ -10,20 +10,15 @@ use bevy_egui::render::systems::{EguiRenderData, EguiTransforms};
 use lightfall_render::recovery;
 use lightfall_render::recovery::DeviceLosses;
 
-pub(crate) struct RecoveryPlugin;
-
-impl Plugin for RecoveryPlugin {
-    fn build(&self, app: &mut App) {
-        recovery::plugin(app);
-        app.add_systems(
-            Update,
-            report_device_loss.run_if(resource_changed::<DeviceLosses>),
-        );
-        // egui's own plugin creates these only once. They would still refer to buffers and
-        // pipelines of the lost device.
-        let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-            return;
-        };
+pub(crate) fn plugin(app: &mut App) {
+    recovery::plugin(app);
+    app.add_systems(
+        Update,
+        report_device_loss.run_if(resource_changed::<DeviceLosses>),
+    );
+    // egui's own plugin creates these only once. They would still refer to buffers and pipelines
+    // of the lost device.
+    if let Some(render_app) = app.get_sub_app_mut(RenderApp) {
         render_app
             .init_gpu_resource::<EguiPipeline>()
             .init_gpu_resource::<SpecializedRenderPipelines<EguiPipeline>>()

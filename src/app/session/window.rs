@@ -62,10 +62,7 @@ fn toggle_full_screen(
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut toast: ResMut<Toast>,
 ) {
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::Fullscreen)
-    {
+    for _ in 0..AppCommand::Fullscreen.count(&mut commands) {
         window.mode = match window.mode {
             WindowMode::Windowed => WindowMode::BorderlessFullscreen(MonitorSelection::Current),
             _ => WindowMode::Windowed,

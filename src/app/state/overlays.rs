@@ -61,26 +61,15 @@ impl Overlays {
         self.guides && !self.hidden
     }
 
-    /// Shows the guides over the picture, or takes them away.
-    pub(crate) fn toggle_guides(&mut self) {
-        self.guides = !self.guides || self.hidden;
-        self.hidden &= !self.guides;
-    }
-
     pub(crate) fn shows_star_names(&self) -> bool {
         self.star_names && !self.hidden
     }
 
-    /// Shows the names of stars over the picture, or takes them away.
-    pub(crate) fn toggle_star_names(&mut self) {
-        self.star_names = !self.star_names || self.hidden;
-        self.hidden &= !self.star_names;
-    }
-
-    /// Opens or closes the help.
-    pub(crate) fn toggle_help(&mut self) {
-        self.help = !self.help || self.hidden;
-        self.hidden &= !self.help;
+    /// Opens or closes an overlay. While everything is hidden, it is opened.
+    pub(crate) fn toggle(&mut self, overlay: fn(&mut Self) -> &mut bool) {
+        let is_open = !*overlay(self) || self.hidden;
+        *overlay(self) = is_open;
+        self.hidden &= !is_open;
     }
 
     /// Opens or closes the panel of a side. While everything is hidden, or while the other panel

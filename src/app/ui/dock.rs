@@ -34,7 +34,7 @@ pub(crate) fn apply_overlay_commands(
                 continue;
             }
             AppCommand::Help => {
-                overlays.toggle_help();
+                overlays.toggle(|open| &mut open.help);
                 // An open help needs no words.
                 (overlays.help, ["", "Help: closed"])
             }
@@ -48,11 +48,11 @@ pub(crate) fn apply_overlay_commands(
                 (overlays.inspector, [open, "Ray inspector: closed"])
             }
             AppCommand::Guides => {
-                overlays.toggle_guides();
+                overlays.toggle(|open| &mut open.guides);
                 (overlays.guides, ["Guides: on", "Guides: off"])
             }
             AppCommand::StarNames => {
-                overlays.toggle_star_names();
+                overlays.toggle(|open| &mut open.star_names);
                 let on = if has_stars(&scene) {
                     "Star names: on"
                 } else {

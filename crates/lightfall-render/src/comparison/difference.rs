@@ -4,12 +4,12 @@
 use super::compared_scene::{ComparedScene, ComparisonLayout};
 use crate::camera_markers::SceneCamera;
 use crate::full_screen_pass::{FullScreenPass, Stage};
+use crate::graphics::{Graphics, TexturePair};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
-use bevy::image::ToExtents;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::renderer::{RenderContext, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{RenderApp, RenderStartup};
 use lightfall_core::gpu::Difference;
@@ -22,14 +22,8 @@ const STAGE: Stage = ("difference", [Some(TextureFormat::Rgba16Float), None]);
 #[derive(Resource)]
 pub(crate) struct DifferencePass {
     full_screen: FullScreenPass<Difference>,
-    lights: Option<Lights>,
-}
-
-/// The light of each of the two scenes.
-pub(crate) struct Lights {
-    pub(crate) size: UVec2,
-    pub(crate) pinned: TextureView,
-    pub(crate) current: TextureView,
+    /// The light of the current scene and of the pinned one.
+    lights: Option<TexturePair>,
 }
 
 impl DifferencePass {
@@ -38,8 +32,8 @@ impl DifferencePass {
         self.full_screen.pipeline(STAGE, cache).is_some()
     }
 
-    /// The textures that the two scenes are drawn to.
-    pub(crate) fn lights(&self) -> Option<&Lights> {
+    /// The textures that the current and the pinned scene are drawn to.
+    pub(crate) fn lights(&self) -> Option<&TexturePair> {
         self.lights.as_ref()
     }
 }
@@ -63,72 +57,54 @@ fn create_difference_pass(mut commands: Commands) {
     });
 }
 
-/// Creates what a difference needs, and drops the textures when none is shown.
+/// Creates the textures and the pipeline of a difference, and drops the textures when none is shown.
 pub(crate) fn prepare_difference(
     compared: Res<ComparedScene>,
-    pass: Option<ResMut<DifferencePass>>,
-    cache: Res<PipelineCache>,
-    device: Res<RenderDevice>,
-    queue: Res<RenderQueue>,
+    If(mut pass): If<ResMut<DifferencePass>>,
+    graphics: Graphics,
 ) {
-    let Some(mut pass) = pass else { return };
     let Some((scene, ComparisonLayout::Difference { gain })) = compared.drawn() else {
-        if pass.lights.is_some() {
-            pass.lights = None;
-        }
+        pass.lights = None;
         return;
     };
     let DifferencePass {
         full_screen,
         lights,
     } = &mut *pass;
-    full_screen.queue(STAGE, &cache);
-    full_screen.write(Difference { gain }, &device, &queue);
-    let size = scene.picture.size();
-    if lights.as_ref().is_none_or(|lights| lights.size != size) {
-        *lights = Some(Lights {
-            size,
-            pinned: create(&device, "light of the pinned scene", size),
-            current: create(&device, "light of the scene", size),
-        });
-    }
-}
-
-fn create(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureView {
-    let texture = device.create_texture(&TextureDescriptor {
-        label: Some(label),
-        size: size.to_extents(),
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format: TextureFormat::Rgba16Float,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&default())
+    full_screen.queue(STAGE, &graphics.cache);
+    full_screen.write(Difference { gain }, &graphics);
+    TexturePair::create_or_keep(
+        lights,
+        &graphics.device,
+        ["light of the scene", "light of the pinned scene"],
+        scene.picture.size(),
+        TextureFormat::Rgba16Float,
+    );
 }
 
 /// Writes the difference to the picture, also where the probe is: it is the same in both scenes.
 pub(crate) fn draw_difference(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
     compared: Res<ComparedScene>,
-    pass: Option<Res<DifferencePass>>,
+    If(pass): If<Res<DifferencePass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let target = view.into_inner();
-    let Some(pass) = pass.filter(|_| compared.is_difference()) else {
-        return;
-    };
     // The pipeline writes one sample a pixel.
-    let (Some(lights), None) = (&pass.lights, target.sampled_main_texture()) else {
+    let (true, Some(lights), None) = (
+        compared.is_difference(),
+        &pass.lights,
+        target.sampled_main_texture(),
+    ) else {
         return;
     };
+    let [current, pinned] = &lights.views;
     pass.full_screen.draw(
         &mut context,
         &cache,
         STAGE,
-        &[&lights.pinned, &lights.current],
+        &[pinned, current],
         &[Some(target.get_color_attachment())],
     );
 }

@@ -6,10 +6,10 @@ use super::side::Side;
 use crate::antialias::AntialiasPass;
 use crate::camera_markers::SceneCamera;
 use crate::comparison::{ComparisonLayout, DifferencePass};
-use crate::full_screen_pass::{attachment, run_full_screen_pass};
+use crate::full_screen_pass::attachment;
+use crate::graphics::{picture_size, run_render_pass};
 use crate::progress::DrawnFrame;
 use bevy::prelude::*;
-use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_phase::TrackedRenderPass;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, ViewQuery};
@@ -18,31 +18,21 @@ use lightfall_core::gpu::bands;
 
 pub(super) fn draw_geodesic_pass(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
-    pass: Option<Res<GeodesicPass>>,
+    If(pass): If<Res<GeodesicPass>>,
     mut frame: ResMut<DrawnFrame>,
     (difference, antialias): (Option<Res<DifferencePass>>, Option<Res<AntialiasPass>>),
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let Some(pass) = pass else { return };
     let (target, depth) = view.into_inner();
     frame.is_drawn = match (pass.destination, &pass.pinned) {
         (Destination::Light, Some((pinned, _))) => {
             let lights = difference.as_ref().and_then(|pass| pass.lights());
             lights.is_some_and(|lights| {
-                draw_light(
-                    &mut context,
-                    &cache,
-                    "geodesic",
-                    &pass.current,
-                    (&lights.current, lights.size),
-                ) && draw_light(
-                    &mut context,
-                    &cache,
-                    "geodesic_pinned",
-                    pinned,
-                    (&lights.pinned, lights.size),
-                )
+                let [to_current, to_pinned] =
+                    lights.views.each_ref().map(|view| (view, lights.size));
+                draw_light(&mut context, &cache, "geodesic", &pass.current, to_current)
+                    && draw_light(&mut context, &cache, "geodesic_pinned", pinned, to_pinned)
             })
         }
         (Destination::Light, None) | (Destination::Compute(_), _) => false,
@@ -88,36 +78,25 @@ fn draw_picture(
         }
         _ => None,
     };
-    let size = target.main_texture().size();
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
+    let size = picture_size(target);
     let attachments: Vec<_> = [Some(target.get_color_attachment())]
         .into_iter()
         .chain(second.map(Some))
         .collect();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some("geodesic"),
-        color_attachments: &attachments,
-        depth_stencil_attachment: Some(depth.get_attachment(StoreOp::Store)),
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    let span = diagnostics.pass_span(&mut render_pass, "geodesic");
-    let [left, right] = pass.columns(size.width);
+    let depth = Some(depth.get_attachment(StoreOp::Store));
+    let [left, right] = pass.columns(size.x);
     let pinned = pinned.map(|ready| (ready, left));
-    for ((pipeline, bind_group, most), columns) in pinned.into_iter().chain([(current, right)]) {
-        if columns.is_empty() {
-            continue;
+    run_render_pass(context, "geodesic", &attachments, depth, |render_pass| {
+        for (ready, columns) in pinned.into_iter().chain([(current, right)]) {
+            if columns.is_empty() {
+                continue;
+            }
+            // Not a scissor rectangle: some drivers let its edge cut through the samples of a pixel.
+            let (left, width) = (columns.start as f32, columns.len() as f32);
+            render_pass.set_viewport(left, 0.0, width, size.y as f32, 0.0, 1.0);
+            draw_in_bands(render_pass, size, ready);
         }
-        // Not a scissor rectangle: some drivers let its edge cut through the samples of a pixel.
-        let (left, width) = (columns.start as f32, columns.len() as f32);
-        render_pass.set_viewport(left, 0.0, width, size.height as f32, 0.0, 1.0);
-        render_pass.set_render_pipeline(pipeline);
-        render_pass.set_bind_group(0, bind_group, &[]);
-        draw_in_bands(&mut render_pass, UVec2::new(size.width, size.height), most);
-    }
-    span.end(&mut render_pass);
+    });
     true
 }
 
@@ -129,24 +108,23 @@ fn draw_light(
     side: &Side,
     (texture, size): (&TextureView, UVec2),
 ) -> bool {
-    let Some((pipeline, bind_group, most)) = side.ready(cache) else {
+    let Some(ready) = side.ready(cache) else {
         return false;
     };
-    run_full_screen_pass(
-        context,
-        name,
-        &[attachment(texture)],
-        pipeline,
-        bind_group,
-        |render_pass| {
-            draw_in_bands(render_pass, size, most);
-        },
-    );
+    run_render_pass(context, name, &[attachment(texture)], None, |render_pass| {
+        draw_in_bands(render_pass, size, ready);
+    });
     true
 }
 
 /// Draws the triangle band by band on a target of this size, with at most `most` pixels a band.
-fn draw_in_bands(render_pass: &mut TrackedRenderPass, size: UVec2, most: u32) {
+fn draw_in_bands<'a>(
+    render_pass: &mut TrackedRenderPass<'a>,
+    size: UVec2,
+    (pipeline, bind_group, most): (&'a RenderPipeline, &'a BindGroup, u32),
+) {
+    render_pass.set_render_pipeline(pipeline);
+    render_pass.set_bind_group(0, bind_group, &[]);
     for (top, rows) in bands(size.x, size.y, most) {
         render_pass.set_scissor_rect(0, top, size.x, rows);
         render_pass.draw(0..3, 0..1);

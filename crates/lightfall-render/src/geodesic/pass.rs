@@ -3,10 +3,10 @@
 use super::pipeline::Destination;
 use super::side::{Shared, Side};
 use crate::comparison::{ComparedScene, ComparisonLayout};
+use crate::graphics::Graphics;
 use crate::stars::SceneStars;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Frame;
 use std::ops::Range;
@@ -47,12 +47,11 @@ impl GeodesicPass {
         scene: &Drawable,
         compared: &ComparedScene,
         frame: &Frame,
-        device: &RenderDevice,
-        queue: &RenderQueue,
+        graphics: &Graphics,
     ) {
-        self.current.set_frame(scene, frame, device, queue);
+        self.current.set_frame(scene, frame, graphics);
         if let (Some((side, _)), Some((scene, _))) = (&mut self.pinned, compared.drawn()) {
-            side.set_frame(scene, frame, device, queue);
+            side.set_frame(scene, frame, graphics);
         }
     }
 

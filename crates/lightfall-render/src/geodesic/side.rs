@@ -2,11 +2,10 @@
 
 use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
-use super::sky::sky_texture;
+use crate::detail_limits::DetailLimits;
+use crate::graphics::{Graphics, create_buffer};
 use crate::star_catalogue::StarCatalogue;
-use crate::star_limit::StarLimit;
 use crate::stars::{SceneStars, StarPass, StarWriter};
-use crate::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
@@ -35,17 +34,12 @@ pub(super) struct SideWriter<'a> {
     pub(super) shared: &'a mut Shared,
     pub(super) layout: &'a BindGroupLayoutDescriptor,
     pub(super) errors: &'a ErrorMap,
-    /// The most waves of the disk's structure that are drawn.
-    pub(super) waves: WaveLimit,
+    pub(super) limits: DetailLimits,
     pub(super) stars: &'a mut StarPass,
     pub(super) catalogue: StarCatalogue,
-    /// The faintest stars that are drawn as points, in V.
-    pub(super) star_limit: StarLimit,
     /// The frame, as one of those that are averaged.
     pub(super) frame: &'a Frame,
-    pub(super) cache: &'a PipelineCache,
-    pub(super) device: &'a RenderDevice,
-    pub(super) queue: &'a RenderQueue,
+    pub(super) graphics: &'a Graphics<'a>,
 }
 
 /// What both sides bind, and what they bind in place of inputs that a scene does not need.
@@ -64,14 +58,25 @@ impl Shared {
             milky_way: None,
             sampler: device.create_sampler(&SkyTexture::sampler()),
             no_milky_way: sky_texture(device, queue, false),
-            no_input: device.create_buffer(&BufferDescriptor {
-                label: Some("no input"),
-                size: size_of::<[u32; 4]>() as u64,
-                usage: BufferUsages::UNIFORM | BufferUsages::STORAGE,
-                mapped_at_creation: false,
-            }),
+            no_input: create_buffer(
+                device,
+                "no input",
+                size_of::<[u32; 4]>() as u64,
+                BufferUsages::UNIFORM | BufferUsages::STORAGE,
+            ),
         }
     }
+}
+
+/// The Milky Way as the shaders read it, or one texel a face in its place.
+fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: bool) -> TextureView {
+    let texture = device.create_texture_with_data(
+        queue,
+        &SkyTexture::descriptor(shown),
+        TextureDataOrder::LayerMajor,
+        &SkyTexture::bytes(shown),
+    );
+    texture.create_view(&SkyTexture::view())
 }
 
 impl Side {
@@ -82,14 +87,14 @@ impl Side {
         pipelines: SidePipelines,
         writer: &mut SideWriter,
     ) {
-        let (device, queue) = (writer.device, writer.queue);
+        let Graphics { device, queue, .. } = writer.graphics;
         let mut numbers = scene.numbers().clone();
         numbers.picture = GpuPicture::new(scene, writer.frame);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
         let inputs = Inputs {
             scene,
-            max_waves: writer.waves.0,
+            max_waves: writer.limits.waves,
             errors: Some(writer.errors),
         };
         let new_inputs = self.inputs.write(inputs.of_picture(), device, queue);
@@ -116,18 +121,18 @@ impl Side {
             shared,
             stars: pass,
             catalogue,
-            star_limit,
-            cache,
-            device,
-            queue,
+            limits,
+            graphics,
             ..
         } = writer;
         let new_texture = shared.milky_way.is_none();
         shared
             .milky_way
-            .get_or_insert_with(|| sky_texture(device, queue, true));
+            .get_or_insert_with(|| sky_texture(&graphics.device, &graphics.queue, true));
         let new_stars = self.stars.is_none();
-        let stars = self.stars.get_or_insert_with(|| SceneStars::new(device));
+        let stars = self
+            .stars
+            .get_or_insert_with(|| SceneStars::new(&graphics.device));
         let new_buffers = stars.write(
             scene,
             &self.uniform,
@@ -135,11 +140,9 @@ impl Side {
             StarWriter {
                 pass,
                 catalogue,
-                star_limit: *star_limit,
+                limits: *limits,
                 spectrum,
-                cache,
-                device,
-                queue,
+                graphics,
             },
         );
         new_texture || new_stars || new_buffers
@@ -171,9 +174,10 @@ impl Side {
             let binding = row.number;
             Some(BindGroupEntry { binding, resource })
         });
-        Some(writer.device.create_bind_group(
+        let Graphics { device, cache, .. } = writer.graphics;
+        Some(device.create_bind_group(
             "geodesic bindings",
-            &writer.cache.get_bind_group_layout(writer.layout),
+            &cache.get_bind_group_layout(writer.layout),
             &entries.collect::<Option<Vec<_>>>()?,
         ))
     }
@@ -184,17 +188,11 @@ impl Side {
     }
 
     /// Goes on to another one of the frames that are averaged.
-    pub(super) fn set_frame(
-        &mut self,
-        scene: &Drawable,
-        frame: &Frame,
-        device: &RenderDevice,
-        queue: &RenderQueue,
-    ) {
+    pub(super) fn set_frame(&mut self, scene: &Drawable, frame: &Frame, graphics: &Graphics) {
         let picture = GpuPicture::new(scene, frame);
         if self.uniform.get().picture != picture {
             self.uniform.get_mut().picture = picture;
-            self.uniform.write_buffer(device, queue);
+            self.uniform.write_buffer(&graphics.device, &graphics.queue);
         }
     }
 

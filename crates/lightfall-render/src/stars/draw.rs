@@ -4,28 +4,25 @@ use super::kernels::{StarPass, add_shaders};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::AlwaysDraw;
 use crate::geodesic::GeodesicPass;
+use crate::graphics::run_compute_pass;
 use crate::star_catalogue::StarCatalogue;
-use crate::star_limit::StarLimit;
 use bevy::core_pipeline::core_3d::main_opaque_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
-use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::extract_resource::ExtractResourcePlugin;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
-use bevy::render::{RenderApp, RenderStartup};
+use bevy::render::{GpuResourceAppExt, RenderApp};
 
 pub(crate) fn plugin(app: &mut App) {
     add_shaders(app);
-    app.add_plugins((
-        ExtractResourcePlugin::<StarCatalogue>::default(),
-        ExtractResourcePlugin::<StarLimit>::default(),
-    ));
+    app.add_plugins(ExtractResourcePlugin::<StarCatalogue>::default());
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
         return;
     };
     render_app
-        .add_systems(RenderStartup, create_star_pass)
+        // Pipelines and buffers belong to a device: a new one begins without any.
+        .init_gpu_resource::<StarPass>()
         .add_systems(
             Core3d,
             draw_stars
@@ -34,22 +31,16 @@ pub(crate) fn plugin(app: &mut App) {
         );
 }
 
-/// Pipelines and buffers belong to a device: a new one begins without any.
-fn create_star_pass(mut commands: Commands) {
-    commands.insert_resource(StarPass::default());
-}
-
 /// Finds the images of the stars of the current scene and of the pinned one, and adds up their
 /// light.
 fn draw_stars(
     _view: ViewQuery<(), With<SceneCamera>>,
-    pass: Option<Res<GeodesicPass>>,
+    If(pass): If<Res<GeodesicPass>>,
     always: Res<AlwaysDraw>,
     cache: Res<PipelineCache>,
     queue: Res<RenderQueue>,
     mut context: RenderContext,
 ) {
-    let Some(pass) = pass else { return };
     let waiting: Vec<_> = pass
         .scene_stars()
         // A change stays until its pipelines are ready.
@@ -63,17 +54,9 @@ fn draw_stars(
     for stars in &waiting {
         stars.clear(context.command_encoder(), &queue);
     }
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut compute_pass = context
-        .command_encoder()
-        .begin_compute_pass(&ComputePassDescriptor {
-            label: Some("stars"),
-            timestamp_writes: None,
-        });
-    let span = diagnostics.pass_span(&mut compute_pass, "stars");
-    for stars in &waiting {
-        stars.dispatch(&mut compute_pass);
-    }
-    span.end(&mut compute_pass);
+    run_compute_pass(&mut context, "stars", |compute_pass| {
+        for stars in &waiting {
+            stars.dispatch(compute_pass);
+        }
+    });
 }

@@ -2,7 +2,8 @@
 
 use super::kernels::{StarPass, StarPipelines};
 use super::list::GpuStarList;
-use crate::star_limit::StarLimit;
+use crate::detail_limits::DetailLimits;
+use crate::graphics::{Graphics, create_buffer};
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
@@ -25,9 +26,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The stars of one scene.
 pub(crate) struct SceneStars {
-    /// The scene that was written last, without what changes no image, the limit of its stars, and
-    /// how often the kernels' shaders had been reloaded.
-    written: Option<(Scene, StarLimit, u32)>,
+    /// The scene that was written last, without what changes no image, the limits of its details,
+    /// and how often the kernels' shaders had been reloaded.
+    written: Option<(Scene, DetailLimits, u32)>,
     numbers: UniformBuffer<GpuStars>,
     /// Written where images are found by a mesh.
     mesh: UniformBuffer<GpuStarMesh>,
@@ -66,12 +67,12 @@ impl SceneStars {
             numbers: UniformBuffer::from(GpuStars::default()),
             mesh: UniformBuffer::from(GpuStarMesh::default()),
             starlight: UniformBuffer::from(GpuStarlight::default()),
-            table: device.create_buffer(&BufferDescriptor {
-                label: Some("table of images"),
-                size: TABLE_SIZE,
-                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            }),
+            table: create_buffer(
+                device,
+                "table of images",
+                TABLE_SIZE,
+                BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            ),
             drawn: None,
             pipelines: None,
             changed: AtomicBool::new(false),
@@ -83,12 +84,9 @@ impl SceneStars {
 pub(crate) struct StarWriter<'a> {
     pub(crate) pass: &'a mut StarPass,
     pub(crate) catalogue: &'a Catalogue,
-    /// The faintest stars that the device draws, in V.
-    pub(crate) star_limit: StarLimit,
+    pub(crate) limits: DetailLimits,
     pub(crate) spectrum: &'a Buffer,
-    pub(crate) cache: &'a PipelineCache,
-    pub(crate) device: &'a RenderDevice,
-    pub(crate) queue: &'a RenderQueue,
+    pub(crate) graphics: &'a Graphics<'a>,
 }
 
 impl SceneStars {
@@ -101,23 +99,23 @@ impl SceneStars {
         pipelines: Option<StarPipelines>,
         writer: StarWriter,
     ) -> bool {
-        let (device, queue) = (writer.device, writer.queue);
+        let Graphics { device, queue, .. } = writer.graphics;
         self.pipelines = pipelines;
         let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
-        let wanted = (scene.for_stars(), writer.star_limit, reloads);
+        let wanted = (scene.for_stars(), writer.limits, reloads);
         if self.written.as_ref() == Some(&wanted) {
             return false;
         }
         // A scene that can be drawn has an observer, and so has a depth.
-        let Ok(depth) = Depth::new(scene, writer.star_limit.faintest) else {
-            return self.draw_nothing(scene, Depth::NO_POINTS, device, queue);
+        let Ok(depth) = Depth::new(scene, writer.limits.faintest_star) else {
+            return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
         };
         let lists = &mut writer.pass.lists;
         let list = lists.get(writer.catalogue, scene.sky.seed, depth.last, device);
         // Pixels may be so large that no star stands out, and a catalogue may have none. No binding
         // may be empty.
         if list.stars.is_empty() {
-            return self.draw_nothing(scene, depth, device, queue);
+            return self.draw_nothing(scene, depth, writer.graphics);
         }
         let sky = &scene.sky;
         let turn = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
@@ -130,7 +128,7 @@ impl SceneStars {
             self.mesh.write_buffer(device, queue);
         } else {
             let Ok(inversion) = Inversion::new(scene) else {
-                return self.draw_nothing(scene, Depth::NO_POINTS, device, queue);
+                return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
             };
             self.numbers
                 .set(GpuStars::new(scene, &inversion, &list.stars, turn, depth));
@@ -156,15 +154,10 @@ impl SceneStars {
 
     /// Draws no points; the diffuse sky has the light of stars beyond `depth`. Returns whether sums
     /// were bound before.
-    fn draw_nothing(
-        &mut self,
-        scene: &Drawable,
-        depth: Depth,
-        device: &RenderDevice,
-        queue: &RenderQueue,
-    ) -> bool {
+    fn draw_nothing(&mut self, scene: &Drawable, depth: Depth, graphics: &Graphics) -> bool {
         self.starlight.set(GpuStarlight::new(scene, depth));
-        self.starlight.write_buffer(device, queue);
+        self.starlight
+            .write_buffer(&graphics.device, &graphics.queue);
         // The scene that was written last has lost its sums.
         self.written = None;
         self.drawn.take().is_some()
@@ -179,7 +172,7 @@ impl SceneStars {
         numbers: &UniformBuffer<GpuScene>,
         writer: &StarWriter,
     ) -> Drawn {
-        let device = writer.device;
+        let Graphics { device, cache, .. } = writer.graphics;
         let mut sizes = vec![
             (STAR_IMAGES, images_size(&list.stars)),
             (STAR_COUNT, COUNT_SIZE),
@@ -193,13 +186,8 @@ impl SceneStars {
             ]);
         }
         let buffers = sizes.into_iter().map(|(binding, size)| {
-            let buffer = device.create_buffer(&BufferDescriptor {
-                label: Some("stars"),
-                size,
-                usage: BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            (binding, buffer)
+            let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST;
+            (binding, create_buffer(device, "stars", size, usage))
         });
         let mut drawn = Drawn {
             list,
@@ -227,9 +215,7 @@ impl SceneStars {
                     Some(BindGroupEntry { binding, resource })
                 })
                 .collect();
-            let layout = writer
-                .cache
-                .get_bind_group_layout(writer.pass.layout(kernel));
+            let layout = cache.get_bind_group_layout(writer.pass.layout(kernel));
             drawn.bind_groups[kernel as usize] = entries
                 .map(|entries| device.create_bind_group(kernel.entry_point(), &layout, &entries));
         }
@@ -259,7 +245,7 @@ impl SceneStars {
                 .map(|(kernel, id)| Some((kernel, cache.get_compute_pipeline(id)?)))
                 .collect::<Option<_>>()?,
             drawn: self.drawn.as_ref()?,
-            max_traced: self.written.as_ref()?.1.traced,
+            max_traced: self.written.as_ref()?.1.traced_stars,
         })
     }
 }

@@ -1,6 +1,7 @@
 //! The kernels of stars: their layouts and pipelines.
 
 use super::list::StarLists;
+use crate::graphics::queue_compute_pipeline;
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid::Uuid;
 use bevy::platform::collections::HashMap;
@@ -77,13 +78,8 @@ impl StarPass {
                 .pipelines
                 .entry((kernel, shader.id()))
                 .or_insert_with(|| {
-                    cache.queue_compute_pipeline(ComputePipelineDescriptor {
-                        label: Some(kernel.entry_point().into()),
-                        layout: vec![layout.clone()],
-                        shader,
-                        entry_point: Some(kernel.entry_point().into()),
-                        ..default()
-                    })
+                    let layouts = vec![layout.clone()];
+                    queue_compute_pipeline(cache, kernel.entry_point(), layouts, shader)
                 });
             pipelines[kernel as usize] = Some(id);
         }

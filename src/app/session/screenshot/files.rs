@@ -50,10 +50,7 @@ fn save_picture(
     writer: Res<ScreenshotWriter>,
     stars: Res<StarCatalogue>,
 ) {
-    if asked
-        .read()
-        .any(|command| *command == AppCommand::Screenshot)
-    {
+    if AppCommand::Screenshot.count(&mut asked) > 0 {
         let scene = editor.scene_in_window();
         // In cells the file has those of the window, and without them its full size.
         let drawn = if editor.shows_cells() {
@@ -72,10 +69,7 @@ fn save_picture(
 }
 
 fn save_window(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
-    if asked
-        .read()
-        .any(|command| *command == AppCommand::ScreenshotOfWindow)
-    {
+    if AppCommand::ScreenshotOfWindow.count(&mut asked) > 0 {
         commands
             .spawn(Screenshot::primary_window())
             .observe(write_window);

@@ -14,7 +14,7 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
 use lightfall_core::scene::{Disk, Method, Picture, Scene, View};
 use lightfall_platform::IN_BROWSER;
-use lightfall_render::{Chain, WaveLimit, cost_rows};
+use lightfall_render::{Chain, DetailLimits, cost_rows};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use web_time::Instant;
@@ -40,7 +40,7 @@ pub(super) struct MachinePage {
 #[derive(Default)]
 struct CostReport {
     rows: Vec<(&'static str, String)>,
-    made_for: Option<(Method, View, Disk, Variant, Chain, WaveLimit)>,
+    made_for: Option<(Method, View, Disk, Variant, Chain, DetailLimits)>,
 }
 
 /// Mean time of a frame, in seconds.
@@ -55,7 +55,7 @@ pub(super) struct Machine<'w> {
     frame_time: Res<'w, FrameTime>,
     pacing: Res<'w, FramePacing>,
     choice: Res<'w, AdapterChoice>,
-    waves: Res<'w, WaveLimit>,
+    waves: Res<'w, DetailLimits>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -220,7 +220,7 @@ fn passes(ui: &mut egui::Ui, machine: &Machine) {
 
 impl CostReport {
     /// The rows for a scene. They are made again only when something that they depend on has changed.
-    fn rows(&mut self, scene: &Scene, limit: WaveLimit) -> &[(&'static str, String)] {
+    fn rows(&mut self, scene: &Scene, limit: DetailLimits) -> &[(&'static str, String)] {
         let disk = scene.without_clock().disk;
         let (variant, chain) = (Variant::picture(scene), Chain::of(scene));
         let wanted = (scene.method, scene.view, disk, variant, chain, limit);
