@@ -27,7 +27,7 @@ pub(super) struct DrawRequest {
     pub(super) compared: Option<(Scene, ComparisonLayout)>,
     /// How many frames are averaged.
     frames: u32,
-    /// Whether a frame that counts for no mean comes first.
+    /// Whether a frame outside the mean is drawn first.
     first_alone: bool,
     /// Whether that frame is drawn without refined edges.
     first_rough: bool,
@@ -76,7 +76,7 @@ impl DrawRequest {
         }
     }
 
-    /// What is drawn of it.
+    /// How much of it is drawn.
     fn drawn(&self) -> Drawn {
         let drawn = *self.drawn.lock();
         if drawn.request == self.number {
@@ -90,7 +90,7 @@ impl DrawRequest {
         }
     }
 
-    /// Counts a frame, which has drawn all of it or not.
+    /// Counts a frame. `complete` says whether it has drawn all of the scene.
     pub(super) fn count_frame(&self, complete: bool) {
         let mut drawn = self.drawn();
         if !complete {

@@ -22,7 +22,7 @@ pub struct LiveShaders {
     news: ShaderNews,
 }
 
-/// What has become of the edits so far.
+/// The outcome of the edits so far.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ShaderNews {
     /// How often an edit has changed a shader.
@@ -38,7 +38,7 @@ struct Folder {
     files: Option<ShaderFiles>,
     /// When each file was written, at the last look.
     times: Vec<(PathBuf, SystemTime)>,
-    /// When that was, as a time since the start.
+    /// The time of the last look since the start.
     looked: Option<Duration>,
 }
 
@@ -67,7 +67,7 @@ impl LiveShaders {
         }
     }
 
-    /// What has become of the edits so far.
+    /// The outcome of the edits so far.
     #[must_use]
     pub fn news(&self) -> &ShaderNews {
         &self.news
@@ -90,7 +90,7 @@ impl LiveShaders {
         }
     }
 
-    /// Remembers what Bevy has been given, to give it the next text in its place.
+    /// Remembers a shader that Bevy has, so that a new text can replace it.
     pub(super) fn remember(
         &mut self,
         id: AssetId<Shader>,

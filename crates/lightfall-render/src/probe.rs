@@ -148,40 +148,17 @@ fn craft(
             at(0.0, 0.0, 0.0),
         ),
         (
-            ConicalFrustum {
-                radius_top: 0.07,
-                radius_bottom: 0.13,
-                height: 0.12,
-            }
-            .into(),
+            frustum(0.07, 0.13, 0.12),
             ceramic.clone(),
             at(0.0, 0.31, 0.0),
         ),
-        (
-            ConicalFrustum {
-                radius_top: 0.24,
-                radius_bottom: 0.05,
-                height: 0.1,
-            }
-            .into(),
-            ceramic,
-            at(0.0, 0.45, 0.0),
-        ),
+        (frustum(0.24, 0.05, 0.1), ceramic, at(0.0, 0.45, 0.0)),
         (
             Cylinder::new(0.012, 0.2).into(),
             metal.clone(),
             at(0.0, 0.55, 0.0),
         ),
-        (
-            ConicalFrustum {
-                radius_top: 0.06,
-                radius_bottom: 0.1,
-                height: 0.12,
-            }
-            .into(),
-            metal.clone(),
-            at(0.0, -0.31, 0.0),
-        ),
+        (frustum(0.06, 0.1, 0.12), metal.clone(), at(0.0, -0.31, 0.0)),
         (Sphere::new(0.022).into(), lamp.clone(), at(0.0, 0.66, 0.0)),
         (Sphere::new(0.018).into(), lamp, at(0.135, -0.12, 0.0)),
     ];
@@ -200,6 +177,16 @@ fn craft(
         ));
     }
     parts
+}
+
+/// A cone without its tip.
+fn frustum(radius_top: f32, radius_bottom: f32, height: f32) -> Mesh {
+    let frustum = ConicalFrustum {
+        radius_top,
+        radius_bottom,
+        height,
+    };
+    frustum.into()
 }
 
 /// Places the craft and its lamps relative to the camera, which stays at the origin. The difference

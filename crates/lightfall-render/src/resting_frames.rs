@@ -1,10 +1,10 @@
-//! How many frames a picture that rests is the mean of, beside what the scene asks for.
+//! How many frames are averaged for a picture at rest, where the scene asks for fewer.
 
 use crate::chain::Chain;
 use bevy::prelude::*;
 
-/// Frames that a window's picture is the mean of while it rests. With edges refined in each of them,
-/// more can hardly be told apart.
+/// Number of frames that a window averages at rest. With edges refined in each of them, more frames
+/// make no visible difference.
 pub(super) const FRAMES_AT_REST: u32 = 16;
 
 /// How many frames are averaged while a picture rests. The scene's own number counts where it is
@@ -32,7 +32,8 @@ impl Default for RestingFrames {
 }
 
 impl RestingFrames {
-    /// Those of a window, which averages frames at rest or not, on a software renderer or not.
+    /// The frames of a window. `averages`: whether it averages frames at rest. `software`: whether
+    /// it runs on a software renderer.
     #[must_use]
     pub fn of_window(averages: bool, software: bool) -> Self {
         Self {
@@ -42,7 +43,7 @@ impl RestingFrames {
         }
     }
 
-    /// Whether a frame that counts for no mean comes first, where `frames` of a chain's are averaged.
+    /// Whether a frame outside the mean is drawn first, where a chain averages `frames` frames.
     pub(super) fn has_first(self, chain: &Chain, frames: u32) -> bool {
         self.first_alone && (frames > 1 || self.first_rough && chain.antialias)
     }

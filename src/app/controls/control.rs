@@ -131,34 +131,24 @@ pub enum Edit {
     By(fn(&mut Scene, &Scene)),
 }
 
-/// What a control asks of the program, other than to change the scene.
+/// What a control asks of the program, other than to change the scene. The descriptions in the
+/// control table say what each does.
 #[derive(Message, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AppCommand {
-    /// Open or close the list of all controls.
     Help,
-    /// Open or close the panel.
     Panel,
     /// Begin or end the photo mode: everything but the picture is hidden, and time stands still.
     Hide,
-    /// Open or close the ray inspector.
     Inspector,
-    /// Show or hide the guides over the picture.
     Guides,
-    /// Show or hide the names of bright stars.
     StarNames,
-    /// Write the picture to a file, without anything that is drawn over it.
     Screenshot,
-    /// Write what the window shows to a file.
     ScreenshotOfWindow,
     /// Open the panel on its page of settings.
     Settings,
-    /// End the program.
     Quit,
-    /// Use the whole monitor, or a window.
     Fullscreen,
-    /// Take back the last change of the scene.
     Undo,
-    /// Let the mouse look around, or stop that.
     MouseLook,
     /// Free the mouse, or close what is open, or open the menu.
     Escape,
@@ -166,13 +156,9 @@ pub enum AppCommand {
     Face,
     /// Let the hand move the camera around the hole, or fly freely again.
     OrbitCamera,
-    /// Start or stop the guided journey.
     Journey,
-    /// Start the journey from its beginning.
     RestartJourney,
-    /// Go back in the journey by some seconds.
     JourneyBack,
-    /// Go ahead in the journey by some seconds.
     JourneyAhead,
     /// Pause what moves by itself, the journey, the fall or the disk, or let it go on.
     Pause,

@@ -1,4 +1,4 @@
-//! Says so when a fall or a journey leads through the horizon.
+//! Announces that a fall or a journey crosses the horizon.
 
 use super::free_fall::FreeFall;
 use super::journey_player::JourneyPlayer;

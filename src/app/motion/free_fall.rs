@@ -165,7 +165,7 @@ impl FreeFall {
             return String::new();
         };
         let own = format!("clock {} r_s/c", steady_digits(worldline.proper_time()));
-        // The read-outs above say that a fall is one.
+        // The read-outs above already name a fall.
         let own = match (worldline.is_circular(), is_inside(scene)) {
             (true, _) => format!("In orbit · your {own}"),
             (false, false) => format!("Your {own}"),
@@ -272,7 +272,7 @@ fn apply_free_fall_commands(
                     Ok(()) => {
                         editor.note_departure();
                         let mut said = released(&free_fall, &bindings);
-                        // The way in shows what the observer falls into.
+                        // The camera faces the hole, so that the user sees where the fall leads.
                         if free_fall.is_fall() && hole.0.is_some_and(|hole| !hole.in_picture) {
                             facing.start(Aim::Hole, &scene);
                             said.push_str(&format!(

@@ -1,5 +1,4 @@
-//! What moves: the camera, by the hand, the guided journey or the observer's own motion, and the
-//! disk.
+//! Motion of the camera (by hand, by the guided journey, in free fall) and of the disk.
 
 pub(crate) mod crossing;
 pub(crate) mod disk_clock;

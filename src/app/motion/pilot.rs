@@ -20,7 +20,7 @@ use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_platform::IN_BROWSER;
 
-/// What the mouse has set.
+/// The state of the mouse's controls.
 #[derive(Resource)]
 pub(crate) struct Pilot {
     /// Factor of the speed, set by the wheel.
@@ -294,7 +294,7 @@ pub(super) fn steer_camera(
     }
 }
 
-/// What happened to the observer in a frame of flying by hand, and what stopped the camera.
+/// Messages about a frame of flying by hand: a change of the observer, and what stopped the camera.
 fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>; 2] {
     let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| bindings.label(id));
     let [was, is] = [before, flown.scene.scene()].map(|scene| scene.observer.kind);
@@ -318,7 +318,7 @@ fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>
     [observer, barrier]
 }
 
-/// Says that another observer has taken the place of one that cannot exist.
+/// The message that another observer replaces one that cannot exist.
 fn observer_change(kinds: [ObserverKind; 2]) -> String {
     let [wanted, nearest] = kinds.map(|kind| kind.properties().motion);
     format!("Observer: {nearest}, for {wanted} is not possible here")

@@ -64,14 +64,6 @@ impl AdapterChoice {
             news: None,
         }
     }
-
-    fn end_trial(&mut self) {
-        if let Some(trial) = self.trial.take()
-            && let Err(error) = remove(&trial)
-        {
-            warn!("{}: {error}", trial.display());
-        }
-    }
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -111,7 +103,11 @@ fn end_adapter_trial(
     mut exits: MessageReader<AppExit>,
 ) {
     let closed = exits.read().any(AppExit::is_success);
-    if choice.trial.is_some() && (closed || progress.is_shown()) {
-        choice.end_trial();
+    if choice.trial.is_some()
+        && (closed || progress.is_shown())
+        && let Some(trial) = choice.trial.take()
+        && let Err(error) = remove(&trial)
+    {
+        warn!("{}: {error}", trial.display());
     }
 }

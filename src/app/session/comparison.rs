@@ -29,52 +29,39 @@ fn switch_comparison(
     mut comparison: ResMut<Comparison>,
     mut toast: ResMut<Toast>,
 ) {
-    for command in commands.read() {
-        if matches!(command, AppCommand::Compare | AppCommand::Difference) {
-            switch(*command, &scene, &bindings, &mut comparison, &mut toast);
-        }
-    }
-}
-
-fn switch(
-    command: AppCommand,
-    scene: &CurrentScene,
-    bindings: &Bindings,
-    comparison: &mut Comparison,
-    toast: &mut Toast,
-) {
     use ComparisonMode::{Difference, SideBySide};
-    let mode = comparison.0.as_ref().map(|(_, mode)| *mode);
-    let next = match (command, mode) {
-        (AppCommand::Compare, Some(SideBySide { .. })) => None,
-        (AppCommand::Compare, _) => Some(SideBySide { divider: MIDDLE }),
-        (_, Some(Difference { gain })) => Some(Difference {
-            gain: next_gain(gain),
-        }),
-        _ => Some(Difference { gain: DEFAULT_GAIN }),
-    };
-    let key = |id| bindings.label(id);
-    let Some(next) = next else {
-        comparison.0 = None;
-        toast.say("Side by side: off");
-        return;
-    };
-    match &mut comparison.0 {
-        Some((_, mode)) => *mode = next,
-        None if scene.view == View::Error => {
-            toast.say("The view error has numbers for one picture only: leave it to compare");
-            return;
+    for command in commands.read() {
+        let mode = comparison.0.as_ref().map(|(_, mode)| *mode);
+        let next = match (command, mode) {
+            (AppCommand::Compare, Some(SideBySide { .. })) => {
+                comparison.0 = None;
+                toast.say("Side by side: off");
+                continue;
+            }
+            (AppCommand::Compare, _) => SideBySide { divider: MIDDLE },
+            (AppCommand::Difference, Some(Difference { gain })) => Difference {
+                gain: next_gain(gain),
+            },
+            (AppCommand::Difference, _) => Difference { gain: DEFAULT_GAIN },
+            _ => continue,
+        };
+        let compared = &mut comparison.0;
+        match compared {
+            Some((_, mode)) => *mode = next,
+            None if scene.view == View::Error => {
+                toast.say("The view error has numbers for one picture only: leave it to compare");
+                continue;
+            }
+            None => *compared = Some((Pinned::new(&scene), next)),
         }
-        None => comparison.0 = Some((Pinned::new(scene), next)),
+        let key = bindings.label("picture.compare");
+        toast.say(match next {
+            SideBySide { .. } => {
+                format!("Side by side: on. What you change now shows on the right. {key} ends it")
+            }
+            Difference { gain } => {
+                format!("Difference, amplified {gain} times. {key} returns to the two sides")
+            }
+        });
     }
-    toast.say(match next {
-        SideBySide { .. } => format!(
-            "Side by side: on. What you change now shows on the right. {} ends it",
-            key("picture.compare")
-        ),
-        Difference { gain } => format!(
-            "Difference, amplified {gain} times. {} returns to the two sides",
-            key("picture.compare")
-        ),
-    });
 }

@@ -17,7 +17,7 @@ fn end_loading(progress: Res<Progress>, mut done: Local<bool>) {
     }
 }
 
-/// A window program does not return in a browser, so nobody else could say it.
+/// A window program does not return in a browser, so its caller cannot report the reason.
 fn report_end(mut exits: MessageReader<AppExit>, failure: Res<DeviceFailure>) {
     if exits.read().any(AppExit::is_error) {
         report(

@@ -1,4 +1,4 @@
-//! Says what has become of an edit of the shaders' files while the program runs.
+//! Reports the outcome of an edit of the shaders' files while the program runs.
 
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;

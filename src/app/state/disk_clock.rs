@@ -1,5 +1,4 @@
-//! The time of the disk's clock. Everything that drives it sets it here; what drives it is a matter
-//! of the motions.
+//! The disk's clock, which the motions drive.
 
 use super::MAX_FRAME_SECONDS;
 use bevy::prelude::Resource;

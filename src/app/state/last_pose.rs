@@ -1,5 +1,5 @@
 //! Where a flight that steers itself has left the camera. A camera found elsewhere was moved by
-//! someone else.
+//! something else.
 
 use lightfall_core::scene::{Camera, Observer, Scene};
 

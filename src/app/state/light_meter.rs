@@ -10,8 +10,8 @@ use lightfall_core::scene::Scene;
 const FOLLOW_SECONDS: f64 = 0.2;
 /// Seconds between two measurements.
 const METER_INTERVAL: f64 = 0.1;
-/// A smaller difference, in powers of two, shows nowhere and is closed at once: the exposure of a
-/// picture at rest is the meter's own, whatever came before.
+/// A smaller difference, in powers of two, is invisible and is closed at once, so that the exposure
+/// of a picture at rest does not depend on earlier scenes.
 const TOLERANCE: f64 = 0.02;
 
 /// The exposure that the light meter has chosen, its last measurement, and the scene that it

@@ -5,24 +5,17 @@ use lightfall_core::scene::presets::PRESETS;
 
 /// One line of the menu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
 pub enum MenuEntry {
-    /// Close the menu.
     Resume,
-    /// Show the list of places.
     Places,
-    /// Start the guided journey.
     Journey,
-    /// Let go of the observer.
     LetGo,
-    /// Open the help.
     Help,
     /// Open the panel on its page of settings.
     Settings,
-    /// Begin the photo mode.
     PhotoMode,
-    /// Use the whole screen, or a window.
     FullScreen,
-    /// End the program.
     Quit,
     /// Go to the built-in preset at this place in the list.
     Place(usize),

@@ -69,7 +69,7 @@ impl Toast {
     }
 }
 
-/// How long a sentence stays: the longer it is, the longer.
+/// How long a sentence stays. A longer sentence stays longer.
 #[must_use]
 pub fn reading_time(text: &str) -> Duration {
     let more = text.chars().count().saturating_sub(SHORT) as u32;

@@ -1,4 +1,4 @@
-//! What the geodesic pass has on the GPU: the scenes that it draws, and how far they are drawn.
+//! The resources of the geodesic pass on the GPU: the scenes that it draws.
 
 use super::pipeline::Destination;
 use super::side::{Shared, Side};
@@ -55,7 +55,7 @@ impl GeodesicPass {
         }
     }
 
-    /// What refines the scenes, and the columns of each.
+    /// The pipelines and bindings that refine the scenes, with the columns of each scene.
     pub(crate) fn refinements<'a>(
         &'a self,
         cache: &'a PipelineCache,

@@ -1,4 +1,4 @@
-//! Which pipelines the scenes need: all of a scene are queued at the same time.
+//! The pipelines that the scenes need. All pipelines of a scene are queued at the same time.
 
 use super::pipeline::{Destination, pipeline_descriptor};
 use super::shader::{GeodesicShaders, JoinedShader, SceneShaders};
@@ -66,7 +66,7 @@ pub(super) fn queue_pipelines(
     pipelines.pinned = shaders.pinned.as_ref().map(|pinned| queue.all_of(pinned));
 }
 
-/// What queueing takes.
+/// The resources for queueing the pipelines of a scene.
 struct PipelineQueue<'a> {
     layout: &'a BindGroupLayoutDescriptor,
     pictures: &'a mut HashMap<(AssetId<Shader>, Destination), CachedRenderPipelineId>,

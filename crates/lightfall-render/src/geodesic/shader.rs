@@ -89,7 +89,7 @@ pub(crate) struct JoinedShaders(Vec<JoinedShader>);
 /// than a user reaches in a while with keys and presets.
 const MAX_SHADERS: usize = 48;
 
-/// What Bevy calls these shaders.
+/// The name of these shaders in Bevy's messages.
 const NAME: &str = "lightfall/geodesic.wgsl";
 
 /// Selects the shaders of the current scene and of the pinned one.

@@ -1,4 +1,4 @@
-//! What one scene has on the GPU: its numbers, its inputs and its bindings. A comparison has two.
+//! One scene's resources on the GPU: its numbers, inputs and bindings. A comparison has two sides.
 
 use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
@@ -29,7 +29,7 @@ pub(super) struct Side {
     max_pixels_of_call: u32,
 }
 
-/// What writing a scene takes.
+/// The resources for writing a scene to the GPU.
 pub(super) struct SideWriter<'a> {
     pub(super) shared: &'a mut Shared,
     pub(super) layout: &'a BindGroupLayoutDescriptor,
@@ -42,7 +42,7 @@ pub(super) struct SideWriter<'a> {
     pub(super) graphics: &'a Graphics<'a>,
 }
 
-/// What both sides bind, and what they bind in place of inputs that a scene does not need.
+/// Inputs that both sides share, and placeholders for inputs that a scene does not need.
 pub(super) struct Shared {
     /// The Milky Way, from the first scene on that shows it.
     milky_way: Option<TextureView>,

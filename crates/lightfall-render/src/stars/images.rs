@@ -1,4 +1,4 @@
-//! What one scene's star passes have on the GPU: numbers, images and sums. A comparison has two.
+//! The resources of one scene's stars on the GPU: numbers, images and sums. A comparison has two.
 
 use super::kernels::{StarPass, StarPipelines};
 use super::list::GpuStarList;
@@ -80,7 +80,7 @@ impl SceneStars {
     }
 }
 
-/// What writing a scene's stars takes.
+/// The resources for writing a scene's stars to the GPU.
 pub(crate) struct StarWriter<'a> {
     pub(crate) pass: &'a mut StarPass,
     pub(crate) catalogue: &'a Catalogue,

@@ -17,11 +17,7 @@ const MAX_LISTS: usize = 2;
 pub(crate) struct StarLists(Vec<(Key, Arc<GpuStarList>)>);
 
 /// What a list depends on, besides the catalogue: the seed, and the depth in steps.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Key {
-    seed: u32,
-    depth: i32,
-}
+type Key = (u32, i32);
 
 /// A list of stars, and its copy on the GPU.
 pub(crate) struct GpuStarList {
@@ -54,10 +50,7 @@ impl StarLists {
         device: &RenderDevice,
     ) -> Arc<GpuStarList> {
         let depth = (faintest * STEPS_PER_MAGNITUDE).ceil();
-        let key = Key {
-            seed,
-            depth: depth as i32,
-        };
+        let key = (seed, depth as i32);
         let known = self.0.iter().position(|(known, _)| *known == key);
         let entry = match known {
             Some(index) => self.0.remove(index),
