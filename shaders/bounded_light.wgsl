@@ -5,7 +5,7 @@
 // Below the largest half float, with room for the sums that bloom makes.
 const MAX_LIGHT: f32 = 60000.0;
 
-// Comparisons with NaN are false, so no NaN leaves the shader.
+// Light that is not positive, or NaN, is none.
 fn bounded_light(light: vec3<f32>) -> vec3<f32> {
-    return select(vec3<f32>(0.0), min(light, vec3<f32>(MAX_LIGHT)), light > vec3<f32>(0.0));
+    return select(vec3<f32>(0.0), min(light, vec3<f32>(MAX_LIGHT)), are_positive(light));
 }

@@ -207,8 +207,8 @@ fn trace(photon: Photon) -> Trace {
         }
         let h = step_length(metric, state.x, v);
         let next = runge_kutta_step(state, h);
-        // Overflowed momenta are meaningless. Comparisons with NaN are false.
-        if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
+        // Overflowed momenta are meaningless.
+        if !(is_below(dot(next.x, next.x), 1e20) && is_below(dot(next.p, next.p), 1e20)) {
             break;
         }
         let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;

@@ -25,7 +25,7 @@ fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
     let gain = magnification * beaming_factor(g);
     let light = star_list[star].light;
     let luminous = unpacked_flux(light) * gain;
-    if !(luminous >= stars.flux_limit) {
+    if !is_at_least(luminous, stars.flux_limit) {
         return;
     }
     let temperature = unpacked_temperature(light);

@@ -193,7 +193,7 @@ fn sky_of(cell: Cell, number: vec2<u32>) -> CellSky {
     let sizes = abs(areas);
     let largest = max(max(sizes.x, sizes.y), max(sizes.z, sizes.w));
     let smallest = min(min(sizes.x, sizes.y), min(sizes.z, sizes.w));
-    let is_caustic = !(all(areas > vec4<f32>(0.0)) || all(areas < vec4<f32>(0.0)));
+    let is_caustic = !(all_positive(areas) || all_positive(-areas));
     let place = mesh_place(vec2<f32>(number) + 0.5);
     let solid_angle = mesh.spacing * mesh.spacing * pixel_solid_angle(place);
     let bend = distance(top, bottom) * (radius + radius);

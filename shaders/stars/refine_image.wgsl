@@ -110,7 +110,7 @@ fn continue_search(
     let close = size < CLOSE || length(missed) < ROUNDING || done && size < LEAST_CLOSE;
     // Other cells find images that are clearly outside of this one.
     let elsewhere = distance_outside((*search).place, number) > select(max(2.0 * size, patience), 2.0 * size, close) + CLOSE;
-    (*search).state = select(select(SEARCHING, FOUND, close), FAILED, elsewhere || done && !close || !(size < 1e6));
+    (*search).state = select(select(SEARCHING, FOUND, close), FAILED, elsewhere || done && !close || !is_below(size, 1e6));
 }
 
 // The rays about an image: one through the middle, and those on each side that reach the sky.
@@ -145,7 +145,7 @@ fn anchor_of(place: vec2<f32>) -> vec2<f32> {
 // Adds the image that a cross has measured, if the cell contains it.
 fn add_found(measured: Cross, number: vec2<u32>, star: u32, tangents: Tangents) {
     let lengths = measured.lengths;
-    if !(min(lengths.x, lengths.y) > 0.0) {
+    if !(is_positive(lengths.x) && is_positive(lengths.y)) {
         return;
     }
     let along_x = components_across(tangents, measured.sky_x) / lengths.x;

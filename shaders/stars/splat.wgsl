@@ -29,7 +29,7 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let image = star_images[id.x];
-    if !(image.flux > 0.0) {
+    if !is_positive(image.flux) {
         return;
     }
     let light = thermal_colour(image.temperature) * (image.flux * scene.sky.brightness * stars.unit);
@@ -58,8 +58,7 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
             }
             let weight = profile(middle.x - place.x, stretch) * profile(middle.y - place.y, stretch) * whole;
             let share = light * (weight / (side * side * pixel_solid_angle(shown)));
-            // Comparisons with NaN are false.
-            let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), share > vec3<f32>(0.0));
+            let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), are_positive(share));
             let index = 3u * u32(at.y * size.x + at.x);
             if index + 2u < arrayLength(&star_sums) {
                 let rounded = vec3<u32>(units + 0.5);

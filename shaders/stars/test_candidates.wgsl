@@ -23,7 +23,7 @@ fn test_candidates(@builtin(global_invocation_id) id: vec3<u32>) {
         let image = interpolated_image(rows, INTERPOLATION_STEPS);
         let place = image.place;
         let outside = max(abs(place.x - 0.5), abs(place.y - 0.5)) - 0.5;
-        let is_known = image.last_step < TEST_MARGIN;
+        let is_known = is_below(image.last_step, TEST_MARGIN);
         let jacobian = jacobian_at(rows, place);
         let seen = square(mesh.spacing) * pixel_solid_angle(mesh_place(vec2<f32>(number) + place));
         let gain = mesh_points[number.y * mesh.points.x + number.x].gain * seen / max(abs(determinant(jacobian)), TINY);
