@@ -2,9 +2,9 @@
 
 use super::linear::{Linear, program, small};
 use glam::UVec2;
+use lightfall_core::scene::resized;
 use lightfall_core::scene::{DiskStructure, journey};
 use lightfall_picture::{Frames, Sequence, render};
-use lightfall_render::resized;
 use std::fs;
 use std::path::Path;
 
@@ -169,11 +169,24 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
     assert_eq!(sequence("a.png", "0..9", 24.0).end(), Some(116.0 * 24.0));
     assert_eq!(
         sequence("my out/100%-##.png", "5..9", 23.976).ffmpeg(960, 540),
-        "ffmpeg -framerate 23.976 -start_number 5 -i 'my out/100%%-%02d.png' -c:v libx264 -crf 16 -pix_fmt yuv420p \
-         'my out/100%.mp4'"
+        "ffmpeg -framerate 23.976 -start_number 5 -i 'my out/100%%-%02d.png' \
+         -vf 'scale=out_color_matrix=bt709:out_range=limited,format=yuv420p' \
+         -color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv \
+         -c:v libx264 -crf 16 'my out/100%.mp4'"
     );
     let linear = "ffmpeg -framerate 30 -start_number 0 -i %04d.exr -vf 'zscale=tin=linear:t=iec61966-2-1,format=gbrp";
     let line = |width| sequence("####.exr", "0..9", 30.0).ffmpeg(width, 540);
-    assert!(line(960).starts_with(&format!("{linear}' ")) && line(960).ends_with(" lightfall.mp4"));
-    assert!(line(961).starts_with(&format!("{linear},pad=ceil(iw/2)*2:ceil(ih/2)*2' ")));
+    assert!(line(960).starts_with(&format!("{linear},scale=")));
+    assert!(line(960).ends_with(" lightfall.mp4"));
+    assert!(line(961).starts_with(&format!("{linear},pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=")));
+    // ffmpeg takes what is before a colon for a protocol, and what follows a dash for an option.
+    for (pattern, input) in [
+        ("c:d/f-##.png", " -i ./c:d/f-%02d.png "),
+        ("file:x-##.png", " -i ./file:x-%02d.png "),
+        ("-f-##.png", " -i ./-f-%02d.png "),
+        ("d/c:f-##.png", " -i d/c:f-%02d.png "),
+    ] {
+        let line = sequence(pattern, "0..9", 30.0).ffmpeg(960, 540);
+        assert!(line.contains(input), "{line}");
+    }
 }

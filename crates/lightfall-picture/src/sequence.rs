@@ -176,26 +176,29 @@ impl Sequence {
             .ends_with(".exr")
             .then_some("zscale=tin=linear:t=iec61966-2-1,format=gbrp");
         let even = (width % 2 + height % 2 > 0).then_some("pad=ceil(iw/2)*2:ceil(ih/2)*2");
-        let filters: Vec<_> = linear.into_iter().chain(even).collect();
-        let filters = if filters.is_empty() {
-            String::new()
-        } else {
-            format!(" -vf '{}'", filters.join(","))
-        };
+        let filters: Vec<_> = linear.into_iter().chain(even).chain([BT709]).collect();
         format!(
-            "ffmpeg -framerate {} -start_number {} -i {}{filters} -c:v libx264 -crf 16 -pix_fmt yuv420p {}",
+            "ffmpeg -framerate {} -start_number {} -i {} -vf '{}' {TAGS} -c:v libx264 -crf 16 {}",
             self.fps,
             self.frames.first,
             quoted(&input.display().to_string()),
+            filters.join(","),
             quoted(&output.display().to_string()),
         )
     }
 }
 
-/// A word, quoted for a shell if necessary.
+/// The filter to the matrix and range of HD video; without it ffmpeg takes those of old television.
+const BT709: &str = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
+/// What tells players so.
+const TAGS: &str = "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
+
+/// A file's name, quoted for a shell if necessary. With a dash at its beginning, ffmpeg would take it for
+/// an option, and with a colon in its first part for a protocol.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-%+=:,@".contains(c);
-    let word = if word.starts_with('-') {
+    let first = word.split('/').next().unwrap_or_default();
+    let word = if word.starts_with('-') || first.contains(':') && Path::new(word).is_relative() {
         format!("./{word}")
     } else {
         word.to_owned()
