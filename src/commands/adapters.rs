@@ -3,6 +3,7 @@
 use super::output::print;
 use super::stop::Stop;
 use lightfall_core::gpu;
+use lightfall_platform::log::say;
 
 /// Lists the graphics adapters. An adapter name that no adapter has is an error here too.
 pub(super) fn list_adapters() -> Result<(), Stop> {
@@ -11,5 +12,13 @@ pub(super) fn list_adapters() -> Result<(), Stop> {
         .iter()
         .map(|adapter| format!("{adapter}\n"))
         .collect();
-    print(&lines)
+    print(&lines)?;
+    let hidden: Vec<String> = gpu::hidden_adapters()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    if !hidden.is_empty() {
+        say(format_args!("lightfall: {}", gpu::hidden_sentence(&hidden)));
+    }
+    Ok(())
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, InstanceFlags, Limits};
 
 /// An adapter by its full name and its interface: on some systems one adapter has several
 /// interfaces.
@@ -126,8 +126,35 @@ fn no_adapter() -> GpuError {
     available.dedup();
     match variable("WGPU_BACKEND") {
         Some(given) if !available.is_empty() => GpuError::UnknownBackend { given, available },
-        _ => GpuError::NoAdapter,
+        _ => hidden_error(|_| true).unwrap_or(GpuError::NoAdapter),
     }
+}
+
+/// The variable that makes wgpu show adapters whose drivers do not claim to conform to Vulkan.
+pub const SHOW_HIDDEN: &str = "WGPU_ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER";
+
+/// The adapters that wgpu hides because their drivers do not claim to conform to Vulkan.
+pub fn hidden_adapters() -> Vec<Listed> {
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    let all = Instance::new(wgpu::InstanceDescriptor {
+        backends: backends() & Backends::VULKAN,
+        flags: descriptor.flags | InstanceFlags::ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER,
+        ..descriptor
+    });
+    let all = pollster::block_on(all.enumerate_adapters(Backends::VULKAN));
+    let shown = adapters();
+    let is_hidden = |listed: &Listed| shown.iter().all(|other| other.name != listed.name);
+    list(all).into_iter().filter(is_hidden).collect()
+}
+
+/// The error about hidden adapters whose names are asked for, if there are any.
+fn hidden_error(asked: impl Fn(&str) -> bool) -> Option<GpuError> {
+    let names: Vec<String> = hidden_adapters()
+        .iter()
+        .filter(|adapter| asked(&adapter.name.name.to_lowercase()))
+        .map(ToString::to_string)
+        .collect();
+    (!names.is_empty()).then_some(GpuError::HiddenAdapters { names })
 }
 
 /// Every adapter of these interfaces.
@@ -177,7 +204,8 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
         return match adapters.find(|adapter| name(adapter).to_lowercase().contains(&wanted)) {
             Some(adapter) => Ok(adapter),
             None if names.is_empty() => Err(no_adapter()),
-            None => Err(GpuError::UnknownAdapter { given, names }),
+            None => Err(hidden_error(|name| name.contains(&wanted))
+                .unwrap_or(GpuError::UnknownAdapter { given, names })),
         };
     }
     if let Some(wanted) = replacement().or_else(preferred) {
@@ -212,8 +240,12 @@ pub fn check_adapter() -> Result<(), GpuError> {
 /// Every adapter that can be chosen. If several have the same name and interface, only the first is
 /// listed, which is the one that would be used.
 pub fn adapters() -> Vec<Listed> {
+    list(adapters_of(backends()))
+}
+
+fn list(adapters: Vec<Adapter>) -> Vec<Listed> {
     let mut listed: Vec<Listed> = Vec::new();
-    for adapter in adapters_of(backends()) {
+    for adapter in adapters {
         let info = adapter.get_info();
         let name = AdapterName::of(&info);
         if listed.iter().all(|other| other.name != name) {

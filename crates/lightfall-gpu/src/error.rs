@@ -1,5 +1,6 @@
 //! Why the GPU cannot do what was asked.
 
+use super::adapter::SHOW_HIDDEN;
 use super::driver_advice;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Method;
@@ -14,6 +15,9 @@ pub enum GpuError {
     /// No graphics driver offers an adapter.
     #[error("{}", driver_advice::without_adapter(OS))]
     NoAdapter,
+    /// Only hidden adapters are there, or only hidden ones have the requested name.
+    #[error("{}", hidden_sentence(.names))]
+    HiddenAdapters { names: Vec<String> },
     /// There are adapters, but none of them uses the requested interface.
     #[error(
         "--backend {given} (or WGPU_BACKEND) is refused: the adapters of this machine use {}", .available.join(" or ")
@@ -103,4 +107,13 @@ impl GpuError {
     pub(super) fn device_failed(reason: impl std::fmt::Display) -> Self {
         Self::Device(reason.to_string())
     }
+}
+
+/// What is said of adapters that wgpu hides, and how to use one.
+pub fn hidden_sentence(names: &[String]) -> String {
+    format!(
+        "{}: found, but hidden, because the driver does not claim to conform to Vulkan; set \
+         {SHOW_HIDDEN}=1 to use it, and let `lightfall doctor` check what it draws",
+        names.join("; ")
+    )
 }

@@ -5,7 +5,9 @@ use super::self_test::SelfTest;
 use super::shaders::{FaultyShader, ShaderCheck};
 use super::system::System;
 
-use lightfall_core::gpu::{AdapterName, Gpu, GpuError, Listed, adapters, driver_advice};
+use lightfall_core::gpu::{
+    AdapterName, Gpu, GpuError, Listed, adapters, driver_advice, hidden_adapters, hidden_sentence,
+};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::presets::{self, PRESETS};
 use serde::Serialize;
@@ -152,6 +154,10 @@ impl Diagnosis {
         self.faults.extend(self.settings.fault());
         self.faults
             .extend(self.folders.iter().filter_map(Folder::fault));
+        let hidden: Vec<String> = hidden_adapters().iter().map(ToString::to_string).collect();
+        if !hidden.is_empty() {
+            self.remarks.push(hidden_sentence(&hidden));
+        }
         let unusable = self
             .adapters
             .iter()
