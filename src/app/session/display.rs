@@ -1,11 +1,12 @@
 //! Whether a window can be opened here, found out before the window system is started.
 
 #[cfg(target_os = "linux")]
-use std::ffi::OsString;
+use std::{
+    ffi::OsString, io::ErrorKind, os::unix::net::UnixStream, path::Path, sync::LazyLock,
+    time::Duration,
+};
 #[cfg(target_os = "linux")]
-use std::os::unix::net::UnixStream;
-#[cfg(target_os = "linux")]
-use std::path::Path;
+use x11rb::{errors::ConnectError, rust_connection::RustConnection};
 
 /// The display on which a window can be opened.
 ///
@@ -23,7 +24,7 @@ pub fn display() -> Result<String, String> {
             "the Wayland server {} does not answer",
             name.to_string_lossy()
         )),
-        (Some(name), _) => match x11rb::connect(None) {
+        (Some(name), _) => match x_connection() {
             Ok(_) => Ok(format!("X11, {}", name.to_string_lossy())),
             Err(error) => Err(format!(
                 "the X server {} does not answer: {error}",
@@ -39,7 +40,42 @@ pub fn display() -> Result<String, String> {
 pub fn prefers_dead_wayland() -> bool {
     variable("WAYLAND_DISPLAY").is_some_and(|name| !wayland_answers(&name))
         && variable("DISPLAY").is_some()
-        && x11rb::connect(None).is_ok()
+        && x_connection().is_ok()
+}
+
+/// How often an X server is asked that is there and does not answer, and the time between two
+/// questions: a server that starts anew needs less than a second.
+#[cfg(target_os = "linux")]
+const TRIES: u32 = 5;
+#[cfg(target_os = "linux")]
+const BETWEEN_TRIES: Duration = Duration::from_millis(300);
+
+/// The program's own connection to the X server. It stays open as long as the program runs: a server
+/// without other clients starts anew when its last one leaves, and refuses those that come meanwhile.
+#[cfg(target_os = "linux")]
+fn x_connection() -> &'static Result<RustConnection, ConnectError> {
+    static CONNECTION: LazyLock<Result<RustConnection, ConnectError>> = LazyLock::new(|| {
+        let mut tries = 1;
+        loop {
+            let absent = |error: &ConnectError| match error {
+                ConnectError::IoError(error) => {
+                    matches!(
+                        error.kind(),
+                        ErrorKind::ConnectionRefused | ErrorKind::NotFound
+                    )
+                }
+                ConnectError::DisplayParsingError(_) | ConnectError::SetupFailed(_) => true,
+                _ => false,
+            };
+            match x11rb::connect(None) {
+                Ok((connection, _)) => return Ok(connection),
+                Err(error) if absent(&error) || tries == TRIES => return Err(error),
+                Err(_) => tries += 1,
+            }
+            std::thread::sleep(BETWEEN_TRIES);
+        }
+    });
+    &CONNECTION
 }
 
 /// The value of a variable of the environment, unless it is empty.

@@ -7,6 +7,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod adapter;
+mod bare_server;
 mod clipboard;
 mod comparison;
 mod controls;
