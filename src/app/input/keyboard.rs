@@ -63,7 +63,7 @@ fn held(keys: &ButtonInput<KeyCode>, codes: [KeyCode; 2]) -> bool {
 
 /// The keys pressed in this frame, each with the modifier that was held at that moment. In a slow
 /// frame a modifier may be pressed, used and released.
-fn pressed_with_modifiers<'a>(
+pub(crate) fn pressed_with_modifiers<'a>(
     inputs: impl Iterator<Item = &'a KeyboardInput>,
     keys: &ButtonInput<KeyCode>,
 ) -> Vec<(KeyCode, Option<Modifier>)> {

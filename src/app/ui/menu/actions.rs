@@ -6,6 +6,7 @@ use crate::app::state::scene_editor::SceneEditor;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::scene::presets::PRESETS;
+use std::borrow::Cow;
 
 /// The menu, and what its entries act on.
 #[derive(SystemParam)]
@@ -13,6 +14,21 @@ pub(super) struct MenuActions<'w> {
     pub(super) menu: ResMut<'w, Menu>,
     editor: SceneEditor<'w>,
     commands: MessageWriter<'w, AppCommand>,
+}
+
+/// The control whose key an entry shows; empty for an entry without a key.
+pub(super) fn control_id(entry: MenuEntry) -> Cow<'static, str> {
+    match entry {
+        MenuEntry::Resume => "fly.escape".into(),
+        MenuEntry::Journey => "journey.again".into(),
+        MenuEntry::LetGo => "motion.let_go".into(),
+        MenuEntry::Help => "window.help".into(),
+        MenuEntry::PhotoMode => "window.hide".into(),
+        MenuEntry::FullScreen => "window.fullscreen".into(),
+        MenuEntry::Quit => "window.quit".into(),
+        MenuEntry::Place(place) => format!("preset.{}", PRESETS[place].number).into(),
+        MenuEntry::Places | MenuEntry::Settings | MenuEntry::Back => "".into(),
+    }
 }
 
 impl MenuActions<'_> {

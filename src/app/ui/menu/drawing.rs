@@ -1,6 +1,6 @@
 //! Draws the menu, and lets the mouse operate it.
 
-use super::actions::MenuActions;
+use super::actions::{MenuActions, control_id};
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::menu::{Menu, MenuEntry};
 use crate::app::state::title::in_words;
@@ -139,25 +139,22 @@ fn show_entry(
 
 /// An entry's name and its key.
 fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
-    let (name, id) = match entry {
-        MenuEntry::Resume => ("Resume", "fly.escape"),
-        MenuEntry::Places => ("Places", ""),
-        MenuEntry::Journey => ("Guided journey", "journey.again"),
-        MenuEntry::LetGo => ("Let go: fall or orbit", "motion.let_go"),
-        MenuEntry::Help => ("Help: all keys", "window.help"),
-        MenuEntry::Settings => ("Settings", ""),
-        MenuEntry::PhotoMode => ("Photo mode", "window.hide"),
-        MenuEntry::FullScreen => ("Full screen", "window.fullscreen"),
-        MenuEntry::Quit => ("Quit", "window.quit"),
-        MenuEntry::Back => ("Back", ""),
+    let name = match entry {
+        MenuEntry::Resume => "Resume",
+        MenuEntry::Places => "Places",
+        MenuEntry::Journey => "Guided journey",
+        MenuEntry::LetGo => "Let go: fall or orbit",
+        MenuEntry::Help => "Help: all keys",
+        MenuEntry::Settings => "Settings",
+        MenuEntry::PhotoMode => "Photo mode",
+        MenuEntry::FullScreen => "Full screen",
+        MenuEntry::Quit => "Quit",
+        MenuEntry::Back => "Back",
         MenuEntry::Place(place) => {
-            let Some(preset) = PRESETS.get(place) else {
-                return [String::new(), String::new()];
-            };
-            let key = bindings.label(&format!("preset.{}", preset.number));
-            let scene = preset.plain_scene();
-            return [format!("{}: {}", in_words(&scene.name), scene.title), key];
+            let scene = PRESETS[place].plain_scene();
+            let name = format!("{}: {}", in_words(&scene.name), scene.title);
+            return [name, bindings.label(&control_id(entry))];
         }
     };
-    [name.into(), bindings.first_label(id)]
+    [name.into(), bindings.first_label(&control_id(entry))]
 }

@@ -1,6 +1,8 @@
 //! Keyboard and gamepad in the open menu.
 
-use super::actions::MenuActions;
+use super::actions::{MenuActions, control_id};
+use crate::app::controls::bindings::Bindings;
+use crate::app::input::keyboard::pressed_with_modifiers;
 use crate::app::state::menu::MenuEntry;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;
@@ -17,17 +19,23 @@ const DOWN: [KeyCode; 2] = [KeyCode::ArrowDown, KeyCode::KeyS];
 const CHOOSE: [KeyCode; 3] = [KeyCode::Enter, KeyCode::NumpadEnter, KeyCode::Space];
 const BACK: [KeyCode; 3] = [KeyCode::Escape, KeyCode::ArrowLeft, KeyCode::Backspace];
 
-/// Moves the selection, chooses it, or goes back. Every press counts, in order, even if several come in
-/// one slow frame.
+/// Moves the selection, chooses it, or goes back; the key that an entry shows chooses that entry. Every
+/// press counts, in order, even if several come in one slow frame.
 pub(super) fn navigate(
     mut inputs: MessageReader<KeyboardInput>,
+    keys: Res<ButtonInput<KeyCode>>,
+    bindings: Res<Bindings>,
     pads: Query<&Gamepad>,
     window: Single<&Window, With<PrimaryWindow>>,
     mut stick_pushed: Local<bool>,
     mut actions: MenuActions,
 ) {
-    let is_press = |input: &&KeyboardInput| input.state == ButtonState::Pressed;
-    for input in inputs.read().filter(is_press) {
+    let is_press = |input: &&&KeyboardInput| input.state == ButtonState::Pressed;
+    let inputs: Vec<&KeyboardInput> = inputs.read().collect();
+    let mut modifiers = pressed_with_modifiers(inputs.iter().copied(), &keys).into_iter();
+    for input in inputs.iter().filter(is_press) {
+        // Repetitions have no modifiers of their own.
+        let press = if input.repeat { None } else { modifiers.next() };
         if !actions.menu.is_open() {
             continue;
         }
@@ -39,7 +47,14 @@ pub(super) fn navigate(
                 actions.choose(entry);
             }
             code if BACK.contains(&code) && !input.repeat => actions.menu.go_back(),
-            _ => {}
+            _ => {
+                let control = press.and_then(|(code, modifier)| bindings.pressed(code, modifier));
+                let mut entries = actions.menu.entries().into_iter();
+                let own = |entry: &MenuEntry| control.is_some_and(|it| it.id == control_id(*entry));
+                if let Some(entry) = entries.find(own) {
+                    actions.choose(entry);
+                }
+            }
         }
     }
     let pads = || pads.iter().filter(|_| window.focused);

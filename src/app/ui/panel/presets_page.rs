@@ -141,8 +141,10 @@ impl PresetsPage {
             if field.changed() {
                 (self.replace, self.report) = (None, String::new());
             }
-            let save = egui::Button::new("Save");
-            if ui.add_enabled(!safe_name.is_empty(), save).clicked() {
+            let entered =
+                field.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
+            let save = ui.add_enabled(!safe_name.is_empty(), egui::Button::new("Save"));
+            if save.clicked() || entered && !safe_name.is_empty() {
                 if exists(&file) {
                     self.replace = Some(file.clone());
                 } else {
