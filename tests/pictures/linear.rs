@@ -313,9 +313,9 @@ fn temperatures_are_those_of_the_matter_where_light_leaves_it() {
         let mut compared = 0;
         for hit in ["hit1", "hit2"] {
             for (r, kelvin) in linear
-                .values(&format!("{hit}.r"))
+                .values(&format!("{hit}_radius.Y"))
                 .iter()
-                .zip(linear.values(&format!("{hit}.T")))
+                .zip(linear.values(&format!("{hit}_temperature.Y")))
             {
                 assert_eq!(r.is_nan(), kelvin.is_nan());
                 if !r.is_nan() {
@@ -364,11 +364,11 @@ fn depth_is_the_probes_distance_where_it_is_and_infinite_elsewhere() {
         );
         assert!(
             without
-                .values("depth")
+                .values("depth.Z")
                 .iter()
                 .all(|depth| *depth == f64::INFINITY)
         );
-        let depth = with.values("depth");
+        let depth = with.values("depth.Z");
         let middle = depth[(90 * 320 + 160) as usize];
         // The body is 0.13 of its length thick.
         assert!((middle - (4.0 - 0.065)).abs() < 0.03, "{middle}");

@@ -5,10 +5,11 @@ use lightfall_platform::storage::{note_adapter, note_log, note_scene, report_pan
 use std::path::Path;
 use std::process::Command;
 
-/// Panics with a report. This is no test: the test below starts it as another process.
-#[test]
-#[ignore = "started by the test of reports"]
-fn started_program_that_panics() {
+/// Tells the test below that it is the program that panics.
+const PANICS: &str = "LIGHTFALL_TEST_PANICS";
+
+/// Panics with a report.
+fn panic_with_report() -> ! {
     report_panics(|sentence| eprintln!("told: {sentence}"));
     note_adapter("A card (vulkan), driver 1.2".into());
     let mut scene = Scene::default();
@@ -20,16 +21,16 @@ fn started_program_that_panics() {
     panic!("a fault on purpose\nwhose second line is in the report only");
 }
 
-/// Runs the program above with these folders for its data and for temporary files. Returns what it has
+/// Runs the test below as another process that panics, with these folders for its data and for temporary files. Returns what it has
 /// said.
 fn crash(data: &Path, temporary: &Path) -> String {
     let output = Command::new(std::env::current_exe().unwrap())
         .args([
             "--exact",
-            "crash::started_program_that_panics",
-            "--ignored",
+            "crash::a_crash_leaves_a_report_and_says_where_it_is",
             "--nocapture",
         ])
+        .env(PANICS, "1")
         .env("XDG_DATA_HOME", data)
         .env("TMPDIR", temporary)
         .output()
@@ -41,6 +42,9 @@ fn crash(data: &Path, temporary: &Path) -> String {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_crash_leaves_a_report_and_says_where_it_is() {
+    if std::env::var_os(PANICS).is_some() {
+        panic_with_report();
+    }
     let data = tempfile::tempdir().unwrap();
     let said = crash(data.path(), data.path());
     let folder = data.path().join("lightfall");
