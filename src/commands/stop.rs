@@ -1,6 +1,7 @@
 //! Why a command stops before it is done.
 
 use lightfall_core::gpu::GpuError;
+use lightfall_picture::PictureError;
 use lightfall_platform::storage::SourceError;
 use std::error::Error;
 use std::fmt::{Display, Formatter};
@@ -55,5 +56,17 @@ impl Error for Stop {}
 impl From<SourceError> for Stop {
     fn from(error: SourceError) -> Self {
         Self::refused(error)
+    }
+}
+
+impl From<PictureError> for Stop {
+    fn from(error: PictureError) -> Self {
+        let status = match error {
+            PictureError::Extension { .. } => 2,
+            PictureError::Interrupted => 130,
+            _ => 1,
+        };
+        let sentence = error.to_string();
+        Self { status, sentence }
     }
 }

@@ -1,21 +1,17 @@
 //! `lightfall bench`: error against run time.
 
-mod delays;
-mod light;
 mod methods;
 mod pictures;
-mod refine;
 mod row_report;
+mod tables;
 
 use super::cli::BenchArgs;
 use super::output::create_report_folder;
 use super::scene::device;
 use super::stop::Stop;
-use delays::bench_delays;
-use light::bench_light;
 use methods::bench_methods;
 use pictures::bench_pictures;
-use refine::bench_refinements;
+use tables::{bench_delays, bench_light, bench_refinements};
 
 /// Measures, and prints and writes the report.
 pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {

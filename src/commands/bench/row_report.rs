@@ -43,6 +43,17 @@ impl<'a, T: Clone + Serialize + DeserializeOwned> RowReport<'a, T> {
         }
     }
 
+    /// Begins a report of so many rows, each of which is one unit of work.
+    pub(super) fn of_rows(
+        args: &'a BenchArgs,
+        name: &'static str,
+        circumstances: Circumstances,
+        rows: usize,
+    ) -> Self {
+        let left = |known| rows.saturating_sub(known) as f64;
+        Self::begin(args, name, circumstances, left)
+    }
+
     /// The rows that are known.
     pub(super) fn rows(&self) -> Vec<T> {
         self.kept.rows()
@@ -53,6 +64,12 @@ impl<'a, T: Clone + Serialize + DeserializeOwned> RowReport<'a, T> {
         for row in rows {
             self.kept.add(row);
         }
+    }
+
+    /// Keeps a row that has been measured and counts it. `task` says what it is.
+    pub(super) fn add(&mut self, row: &T, task: String) {
+        self.keep([row.clone()]);
+        self.advance(task, 1.0);
     }
 
     /// Counts work that has been done, and says what it was.
