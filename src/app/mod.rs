@@ -47,7 +47,6 @@ pub use state::settings_fault::SettingsFault;
 pub use state::toast::reading_time;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
-pub use ui::panel::idle::why_idle;
 
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;

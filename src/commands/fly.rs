@@ -5,14 +5,15 @@ use super::console::close_own_console;
 use super::render::write_still;
 use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
+use super::unused::{note_idle_preset, note_unused};
 use crate::app;
 use crate::app::Start;
 use bevy::app::App;
 use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
-use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
+use lightfall_core::scene::{Output, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::HeadlessOptions;
 use lightfall_platform::log::say;
@@ -22,6 +23,14 @@ use std::path::{Path, PathBuf};
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
+    note_idle_preset(args.scene.preset.as_deref(), &scene);
+    note_unused(
+        &args.scene,
+        &scene,
+        Output::Window,
+        |without| without,
+        |_| None,
+    );
     let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();

@@ -20,6 +20,7 @@ mod run;
 mod scene;
 mod stop;
 mod trace;
+mod unused;
 
 pub use console::StandardError;
 pub use presets::presets;

@@ -3,8 +3,10 @@
 use super::cli::{PresetsCommand, assignments};
 use super::output::print_to;
 use super::stop::Stop;
+use super::unused::idle_fields;
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::scene::presets::PRESETS;
+use lightfall_platform::log::say;
 use lightfall_platform::storage;
 use lightfall_render::cost_report;
 use std::ffi::OsStr;
@@ -56,6 +58,9 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
 /// Checks that a preset file can be read and its scene traced.
 fn check(file: &Path) -> Result<String, Stop> {
     let scene = storage::read_scene(file, &[])?;
+    for idle in idle_fields(&scene) {
+        say(format_args!("lightfall: {}: {idle}", file.display()));
+    }
     match GpuScene::for_rays(&scene) {
         // A preset for the reference is useful, too: `trace --device cpu` runs it.
         Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{}: ok\n", file.display())),

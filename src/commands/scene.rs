@@ -2,11 +2,12 @@
 
 use super::cli::SceneArgs;
 use super::stop::Stop;
+use super::unused::note_idle_journey;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Drawable, Gpu};
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
-use lightfall_core::scene::{Scene, presets};
+use lightfall_core::scene::{Override, Scene, presets};
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
 use std::path::Path;
@@ -17,11 +18,16 @@ use std::path::Path;
 /// A preset that does not exist, cannot be read or is wrong; or a wrong override.
 pub fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
     let overrides = args.overrides().map_err(Stop::refused)?;
+    scene_with(args, &overrides)
+}
+
+/// The scene of the preset that the options name, with these overrides in place of the options' own.
+pub(super) fn scene_with(args: &SceneArgs, overrides: &[Override]) -> Result<Scene, Stop> {
     match &args.preset {
         None => presets::PRESETS[presets::DEFAULT - 1]
-            .scene(&overrides)
+            .scene(overrides)
             .map_err(Stop::refused),
-        Some(preset) => Ok(storage::scene_by_name("--preset", preset, &overrides)?),
+        Some(preset) => Ok(storage::scene_by_name("--preset", preset, overrides)?),
     }
 }
 
@@ -30,7 +36,11 @@ pub fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
 /// # Errors
 /// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
 pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
-    Ok(storage::read_journey(file, scene)?)
+    let journey = storage::read_journey(file, scene)?;
+    if let Some(file) = file {
+        note_idle_journey(file, &journey, scene);
+    }
+    Ok(journey)
 }
 
 /// The stars that the options name, or the built-in catalogue. The program has one catalogue as long

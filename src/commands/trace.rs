@@ -4,12 +4,14 @@ use super::cli::{Device, TraceArgs};
 use super::output::output_result;
 use super::scene::{device, scene};
 use super::stop::Stop;
+use super::unused::note_unused;
 use glam::DVec3;
 use lightfall_core::accuracy::rays::{RayReader, TraceWriter};
 use lightfall_core::gpu;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Trace;
+use lightfall_core::scene::Output;
 use lightfall_core::text::decode;
 use lightfall_platform::storage;
 use rayon::prelude::*;
@@ -20,6 +22,13 @@ use std::path::Path;
 /// Reads the rays, traces them, and writes the traces to standard output.
 pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
+    note_unused(
+        &args.scene,
+        &scene,
+        Output::Rays,
+        |without| without,
+        |_| None,
+    );
     let directions = read_rays(&args.rays)?;
     let traces: Vec<Trace> = match args.device {
         Device::Cpu => {

@@ -5,8 +5,8 @@ use super::linear::{program, small};
 use glam::UVec2;
 use image::codecs::png::PngDecoder;
 use image::{AnimationDecoder, Frame, ImageDecoder, Rgba, metadata::LoopCount};
+use lightfall_core::scene::resized;
 use lightfall_core::scene::{DiskStructure, Scene};
-use lightfall_render::resized;
 use std::fs::File;
 use std::io::BufReader;
 

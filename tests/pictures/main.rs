@@ -7,6 +7,7 @@ mod comparison;
 mod dither;
 mod embedded;
 mod finite;
+mod idle;
 mod light;
 mod linear;
 #[path = "../../crates/lightfall-core/tests/physics/moved_camera.rs"]

@@ -3,8 +3,9 @@
 use bevy::math::UVec2;
 use lightfall::app::{Canvas, PictureShape, Resolution};
 use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::fit;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
-use lightfall_render::{Letterbox, fit, letterbox};
+use lightfall_render::{Letterbox, letterbox};
 
 use crate::random::Random;
 

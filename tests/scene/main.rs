@@ -40,6 +40,7 @@ mod release;
 mod resolution;
 mod settings;
 mod steering;
+mod unused;
 mod unwritable;
 mod words;
 mod worker;

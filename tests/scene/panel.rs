@@ -1,8 +1,8 @@
 //! The panel's page of the scene: every field has its words, and a row that is dimmed says why.
 
-use lightfall::app::{SECTIONS, Shown, why_idle};
+use lightfall::app::{SECTIONS, Shown};
 use lightfall_core::scene::{
-    DiskStructure, FIELDS, HotSpotKind, Kind, Method, Scene, SkyMode, View,
+    DiskStructure, FIELDS, HotSpotKind, Kind, Method, Output, Scene, SkyMode, View,
 };
 use lightfall_core::words::Choice;
 use std::collections::BTreeSet;
@@ -91,7 +91,9 @@ fn dimmed_between(idle: &Scene, other: &Scene) -> Vec<&'static str> {
     FIELDS
         .iter()
         .map(|field| field.key)
-        .filter(|key| why_idle(idle, key).is_some() && why_idle(other, key).is_none())
+        .filter(|key| {
+            idle.idle(key, Output::Window).is_some() && other.idle(key, Output::Window).is_none()
+        })
         .collect()
 }
 
@@ -112,12 +114,7 @@ fn rows_are_dimmed_where_they_change_nothing() {
     let plain = with(|scene| scene.picture.bypass = true);
     assert_eq!(
         dimmed_between(&plain, &lit),
-        [
-            "picture.grid_width",
-            "picture.grid_height",
-            "picture.levels",
-            "picture.dither"
-        ]
+        ["picture.grid_height", "picture.levels", "picture.dither"]
     );
     let grid = with(|scene| scene.sky.mode = SkyMode::Grid);
     let of_stars = [

@@ -1,6 +1,7 @@
 //! Pictures without a window: the window's chain of passes draws into an image, which is written to
 //! a file. Also sequences of pictures.
 
+mod alike;
 mod animation;
 mod brightness;
 mod channels;

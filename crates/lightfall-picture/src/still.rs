@@ -5,10 +5,10 @@ use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, 
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
-use lightfall_core::scene::{Frame, Scene};
+use lightfall_core::scene::{Frame, Scene, fit};
 use lightfall_render::{
     Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
-    ROW_ALIGNMENT, fit,
+    ROW_ALIGNMENT,
 };
 
 /// A finished picture.

@@ -5,6 +5,7 @@
 //! 2. `browser`: what the program asks of a browser, where it runs in one.
 //! 3. [`storage`]: files and folders, and scenes by name.
 //! 4. [`log`]: what is logged.
+//! 5. [`memory`]: how much memory is free.
 
 /// Whether the program runs in a browser.
 pub const IN_BROWSER: bool = cfg!(target_arch = "wasm32");
@@ -12,5 +13,6 @@ pub const IN_BROWSER: bool = cfg!(target_arch = "wasm32");
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
 pub mod log;
+pub mod memory;
 pub mod storage;
 pub mod worker;

@@ -1,10 +1,8 @@
 //! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and
 //! expands them to the output.
 
-mod fit;
 mod letterbox;
 
-pub use fit::{fit, resized};
 pub use letterbox::{Letterbox, letterbox};
 
 use crate::camera_markers::{SceneCamera, ScreenCamera};

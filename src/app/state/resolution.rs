@@ -4,7 +4,8 @@
 use super::settings::PictureShape;
 use bevy::prelude::*;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
-use lightfall_render::{fit, letterbox, resized};
+use lightfall_core::scene::{fit, resized};
+use lightfall_render::letterbox;
 
 /// The window that the picture is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

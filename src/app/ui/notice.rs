@@ -42,6 +42,10 @@ fn show_notice(
     } else if hole.0.is_some_and(|hole| hole.fills_view) {
         let text = way_out(is_inside(&scene), &bindings);
         draw(context, [across, 0.0], "The hole fills the view", &text);
+    } else if scene.view.shows_light() && !scene.shines() {
+        let [disk, sky] = ["scene.disk", "scene.sky"].map(|id| bindings.first_label(id));
+        let text = format!("{disk} shows the disk  ·  {sky} shows the sky");
+        draw(context, [across, 0.0], "Nothing shines here", &text);
     }
     Ok(())
 }

@@ -70,7 +70,14 @@ impl SettingsFile {
 impl Folder {
     /// A sentence that says what is wrong and what to do.
     pub(super) fn fault(&self) -> Option<String> {
-        let (path, wrong, holds) = (self.path.as_ref()?, self.wrong.as_ref()?, self.holds);
+        let holds = self.holds;
+        let Some(path) = &self.path else {
+            return Some(format!(
+                "this system names no folder for {holds}, so none are saved; set the variable HOME to a \
+                 folder that you may write to"
+            ));
+        };
+        let wrong = self.wrong.as_ref()?;
         Some(format!(
             "{}: {wrong}, so no {holds} can be saved; make it a folder that you may write to",
             path.display()

@@ -6,10 +6,12 @@ use super::self_test::SelfTest;
 use super::shaders::ShaderCheck;
 use lightfall_core::numbers::{four_digits, short_number};
 use std::fmt::{Display, Formatter, Result};
-use std::path::Path;
 
 /// Width of the column of names, in characters.
 const NAME_WIDTH: usize = 12;
+
+/// What stands in the place of a path where the system names none.
+const NO_PLACE: &str = "no place on this system, see below";
 
 impl Display for Diagnosis {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
@@ -77,7 +79,9 @@ impl Diagnosis {
             (true, None) => "valid",
             (false, None) => "does not exist yet, the defaults are used",
         };
-        format!("{}: {state}", path_text(settings.path.as_deref()))
+        settings.path.as_ref().map_or(NO_PLACE.into(), |path| {
+            format!("{}: {state}", path.display())
+        })
     }
 }
 
@@ -114,12 +118,15 @@ impl Adapter {
 
 impl Display for Folder {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let Some(path) = &self.path else {
+            return f.write_str(NO_PLACE);
+        };
         let state = match (self.exists, &self.wrong) {
             (_, Some(wrong)) => wrong,
             (true, None) => "can be written",
             (false, None) => "does not exist yet, can be created",
         };
-        write!(f, "{}: {state}", path_text(self.path.as_deref()))
+        write!(f, "{}: {state}", path.display())
     }
 }
 
@@ -166,10 +173,4 @@ impl SelfTest {
             four_digits(self.trace_ms_1920x1080)
         )
     }
-}
-
-fn path_text(path: Option<&Path>) -> String {
-    path.map_or("no place on this system".into(), |path| {
-        path.display().to_string()
-    })
 }

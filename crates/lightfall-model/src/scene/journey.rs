@@ -11,6 +11,7 @@ mod check;
 mod clock;
 mod error;
 mod format;
+mod idle;
 mod keyframe;
 mod load;
 mod track;

@@ -10,7 +10,8 @@ use super::from_toml::{given, syntax};
 use super::hint::{hint, is_table};
 use super::range::Kind;
 use super::value::{Value, shortened};
-use super::{SCHEMA, Scene};
+use super::{MAX_PICTURE_SIDE, SCHEMA, Scene, resized};
+use glam::UVec2;
 
 /// One field that the command line sets in place of the preset.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,7 +60,8 @@ struct Given<'a> {
 
 /// Makes a scene from a preset's TOML `text` and the overrides, of which a later one replaces an
 /// earlier one. `origin` names the preset in messages. Fields that are not mentioned have their
-/// defaults. An override of the exposure switches the preset's automatic exposure off.
+/// defaults. An override of the exposure switches the preset's automatic exposure off, and one of the
+/// picture's size adapts its grid, as [`resized`] does.
 ///
 /// # Errors
 /// One sentence that names where the fault is written, the key, the value and what is allowed.
@@ -100,9 +102,23 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
     if let Some(error) = errors.into_iter().next() {
         return Err(with_range_of(error, &scene));
     }
-    let order = |key| fields.get(key).map_or(0, |given| given.order);
+    let order = |key: &str| fields.get(key).map_or(0, |given| given.order);
     if order("picture.exposure_ev") > 0 && order("picture.automatic_exposure") == 0 {
         scene.picture.automatic_exposure = false;
+    }
+    let [size, grid] = [["width", "height"], ["grid_width", "grid_height"]].map(|sides| {
+        sides
+            .iter()
+            .any(|side| order(&format!("picture.{side}")) > 0)
+    });
+    let UVec2 { x, y } = scene.picture.size();
+    if size
+        && !grid
+        && [x, y]
+            .iter()
+            .all(|side| (1..=MAX_PICTURE_SIDE).contains(side))
+    {
+        scene.picture = resized(&scene.picture, UVec2 { x, y });
     }
     scene
         .check()

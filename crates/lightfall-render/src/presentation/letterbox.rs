@@ -16,7 +16,7 @@ pub struct Letterbox {
 /// Centres the picture on an output of the given size.
 ///
 /// All cells have the same whole scale. A grid that was made for the output
-/// ([`fit`](super::fit::fit)) fills it, and the output's edge cuts through the outermost cells. Any
+/// ([`fit`](lightfall_core::scene::fit)) fills it, and the output's edge cuts through the outermost cells. Any
 /// other grid has the largest whole scale that fits, with bars around it. Where there are no cells,
 /// or the grid does not fit at scale one, the picture is as large as the output allows.
 #[must_use]

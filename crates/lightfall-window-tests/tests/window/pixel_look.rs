@@ -5,7 +5,8 @@ use crate::desktop::Desktop;
 use crate::shot::Shot;
 use bevy::math::UVec2;
 use lightfall_core::scene::Picture;
-use lightfall_render::{fit, letterbox};
+use lightfall_core::scene::fit;
+use lightfall_render::letterbox;
 
 /// The part of the window that nothing is written on.
 fn picture(shot: &Shot) -> Shot {

@@ -3,7 +3,6 @@
 
 mod field_value;
 mod file_dialog;
-pub(crate) mod idle;
 mod limitations_page;
 mod machine_page;
 mod number_field;

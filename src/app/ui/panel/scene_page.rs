@@ -1,7 +1,6 @@
 //! The page of the scene: one row for every field of the field table, in sections.
 
 use super::field_value::show_value;
-use super::idle::why_idle;
 use super::step_count::StepCounter;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::sections::{RowText, SECTIONS};
@@ -10,7 +9,7 @@ use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use bevy::math::UVec2;
 use bevy_egui::egui;
-use lightfall_core::scene::{ArticleQuality, Field, Picture, Scene, Value, field};
+use lightfall_core::scene::{ArticleQuality, Field, Idle, Output, Picture, Scene, Value, field};
 use lightfall_render::letterbox;
 
 /// Width of a row's label and of the button that resets it, in points.
@@ -99,7 +98,7 @@ fn show_head(ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
 /// Offers the article's qualities for the methods that take steps. Returns the scene with the one
 /// that was chosen.
 fn quality_buttons(ui: &mut egui::Ui, scene: &Scene) -> Option<Change> {
-    if why_idle(scene, FIELD_OF_QUALITIES).is_some() {
+    if scene.idle(FIELD_OF_QUALITIES, Output::Window).is_some() {
         return None;
     }
     let mut change = None;
@@ -152,7 +151,7 @@ fn show_row(
 ) -> Option<Change> {
     let (value, original) = (field.get(scene), field.get(loaded));
     let (range, _) = scene.range(field);
-    let idle = why_idle(scene, field.key);
+    let idle = scene.idle(field.key, Output::Window);
     let mut change = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
@@ -202,10 +201,10 @@ fn with_value(scene: &Scene, field: &Field, value: Value) -> Change {
 
 /// The help of a field: why it changes nothing at present, what it means, and its name and allowed
 /// values in a preset.
-fn help(field: &Field, idle: Option<&str>) -> String {
+fn help(field: &Field, idle: Option<Idle>) -> String {
     let help = format!("{}\n\n{}: {}", field.about, field.key, field.allowed());
     match idle {
-        Some(reason) => format!("{reason}\n\n{help}"),
+        Some(idle) => format!("{}\n\n{help}", idle.sentence()),
         None => help,
     }
 }

@@ -1,7 +1,7 @@
 //! The size of a picture that fills an output: a window, or a picture file.
 
-use bevy::math::UVec2;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture};
+use super::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture};
+use glam::UVec2;
 
 /// The picture with a size and a grid that fill an output of `size` pixels. The vertical field of
 /// view stays, and the output's shape decides how far the picture reaches to the sides.

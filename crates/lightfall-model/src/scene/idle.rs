@@ -1,0 +1,64 @@
+//! Which fields of a scene change nothing at present, why, and what would make them count.
+
+use super::idle_rules::{RULES, Rule};
+use super::{Scene, SkyMode};
+
+/// What a scene is drawn to. Some fields matter to one of these and not to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// The window, in which time passes.
+    Window,
+    /// One picture as the window would show it.
+    Still,
+    /// Numbered pictures, in which time passes.
+    Sequence,
+    /// Linear light and the data of rays.
+    Linear,
+    /// The rays alone.
+    Rays,
+}
+
+/// Why a field changes nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Idle {
+    /// The reason, as a clause: lower case, without a full stop.
+    pub why: &'static str,
+    /// The `KEY=VALUE` that makes the field count; empty where there is none.
+    pub remedy: &'static str,
+}
+
+impl Scene {
+    /// Why no value of the field with this key changes what this output shows. `None` if the field
+    /// matters, as far as can be said without drawing.
+    #[must_use]
+    pub fn idle(&self, key: &str, output: Output) -> Option<Idle> {
+        let applies = |rule: &&Rule| !rule.of_value && rule.applies(self, key, output);
+        RULES.iter().find(applies).map(|rule| rule.idle)
+    }
+
+    /// As [`Scene::idle`], and also where another value of the field would count.
+    #[must_use]
+    pub fn idle_value(&self, key: &str, output: Output) -> Option<Idle> {
+        let mut rules = RULES.iter();
+        let rule = rules.find(|rule| rule.applies(self, key, output));
+        rule.map(|rule| rule.idle)
+    }
+
+    /// Whether anything in the scene emits light: the disk, the sky or the probe.
+    #[must_use]
+    pub fn shines(&self) -> bool {
+        let disk = self.disk.enabled && self.disk.brightness > 0.0;
+        let sky = self.sky.mode != SkyMode::Off && self.sky.brightness > 0.0;
+        disk || sky || self.probe.enabled
+    }
+}
+
+impl Idle {
+    /// The reason as a sentence of its own.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let mut letters = self.why.chars();
+        let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+        first.into_iter().chain(letters).chain(['.']).collect()
+    }
+}

@@ -1,0 +1,50 @@
+//! Which values of the keyframes change nothing in a scene.
+
+use super::Journey;
+use crate::scene::{Idle, Output, Scene};
+
+impl Journey {
+    /// What the keyframes name and what changes nothing at any of them, by its name in a keyframe,
+    /// with the reason.
+    pub fn idle_values(&self, scene: &Scene) -> Vec<(&'static str, Idle)> {
+        let all = [&self.tracks, &self.tracks_in_rain];
+        let velocity = all
+            .iter()
+            .any(|tracks| tracks.velocity.iter().any(Option::is_some));
+        let named = [
+            ("velocity", "observer.velocity", velocity),
+            (
+                "disk_tilt_deg",
+                "disk.tilt_deg",
+                self.tracks.disk_tilt.is_some(),
+            ),
+            (
+                "disk_node_deg",
+                "disk.node_deg",
+                self.tracks.disk_node.is_some(),
+            ),
+            ("disk_rate", "disk.rate", !self.clock.rates.is_empty()),
+            ("disk_time", "disk.time", !self.clock.times.is_empty()),
+        ];
+        let scenes: Vec<Scene> = self
+            .times
+            .iter()
+            .map(|time| self.scene_at(*time, scene))
+            .collect();
+        let idle = named.into_iter().filter_map(|(name, key, is_named)| {
+            let mut reasons = scenes.iter().map(|there| there.idle(key, Output::Sequence));
+            let first = reasons.next().flatten().filter(|_| is_named)?;
+            reasons
+                .all(|reason| reason.is_some())
+                .then_some((name, first))
+        });
+        idle.collect()
+    }
+
+    /// The scene at the keyframe of this time.
+    fn scene_at(&self, time: f64, scene: &Scene) -> Scene {
+        let mut there = scene.clone();
+        self.apply(time - self.times[0], &mut there);
+        there
+    }
+}

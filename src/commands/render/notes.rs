@@ -1,0 +1,69 @@
+//! What `lightfall render` says before it draws: what will not be seen, and which options change nothing.
+
+use super::pictures::Pictures;
+use super::with_size;
+use crate::commands::cli::RenderArgs;
+use crate::commands::unused::{Suspect, note_idle_preset, note_unused};
+use lightfall_core::scene::{Output, Picture, Scene, SkyMode, fit};
+use lightfall_picture::Format;
+use lightfall_platform::log::say;
+
+/// Warns that `--stars` has no effect here.
+pub(super) fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
+    if let Some(file) = &args.scene.stars
+        && scene.sky.mode != SkyMode::Stars
+    {
+        say(format_args!(
+            "lightfall: --stars {} is not seen, because this scene has sky.mode = {}; \
+             --set sky.mode=stars shows it",
+            file.display(),
+            scene.sky.mode.word()
+        ));
+    }
+}
+
+/// Says that a picture whose size was asked for has cells that are larger than a pixel.
+pub(super) fn note_cells(picture: &Picture) {
+    let grid = fit(picture, picture.size(), u64::MAX).grid();
+    let pixels = picture.height.div_ceil(grid.y.max(1));
+    if !picture.bypass && pixels > 1 {
+        say(format_args!(
+            "lightfall: the picture is shown in {} x {} cells of {pixels} pixels to a side; --cells off shows every pixel",
+            grid.x, grid.y
+        ));
+    }
+}
+
+/// Says that nothing in the scene emits light.
+pub(super) fn note_darkness(scene: &Scene) {
+    if scene.view.shows_light() && !scene.shines() {
+        say(
+            "lightfall: nothing shines in this scene; --set disk.enabled=true or --set sky.mode=stars \
+             brings light",
+        );
+    }
+}
+
+/// Says which options change nothing, and returns those of which only the pictures can tell.
+pub(super) fn note_unused_options(args: &RenderArgs, pictures: &Pictures) -> Vec<Suspect> {
+    note_idle_preset(args.scene.preset.as_deref(), &pictures.scene);
+    let output = match (pictures.format, &pictures.sequence) {
+        (Format::Exr, _) => Output::Linear,
+        (_, Some(_)) => Output::Sequence,
+        (_, None) => Output::Still,
+    };
+    let sized = |without| with_size(args, without);
+    let suspects = note_unused(&args.scene, &pictures.scene, output, sized, |without| {
+        let sequence = pictures.sequence.as_ref()?;
+        let same =
+            |number| sequence.scene(without, number) == sequence.scene(&pictures.scene, number);
+        pictures.numbers().all(same).then(|| {
+            "the journey decides it; --journey none keeps the camera where the scene has it".into()
+        })
+    });
+    if output == Output::Still {
+        suspects
+    } else {
+        Vec::new()
+    }
+}

@@ -1,0 +1,163 @@
+//! Values that were given by name and change nothing: one sentence for each, which says why and what
+//! would make it count.
+
+use super::cli::SceneArgs;
+use super::scene::scene_with;
+use lightfall_core::scene::journey::Journey;
+use lightfall_core::scene::{Idle, Output, Override, Scene, presets};
+use lightfall_platform::log::say;
+use std::ffi::OsStr;
+use std::path::Path;
+
+/// Fields that every preset has to name, whether the picture needs them or not.
+const ALWAYS_GIVEN: [&str; 6] = [
+    "name",
+    "title",
+    "picture.width",
+    "picture.height",
+    "picture.grid_width",
+    "picture.grid_height",
+];
+
+/// An option that may change something: only the pictures with and without it can tell.
+pub(super) struct Suspect {
+    /// As it was written on the command line.
+    option: String,
+    /// The scene without it.
+    pub(super) without: Scene,
+}
+
+impl Suspect {
+    /// Says that the picture is the same without the option.
+    pub(super) fn say_it_is_unused(&self) {
+        say(format_args!(
+            "lightfall: {} changes no pixel of this picture: what it sets is hidden, out of view, or \
+             too small to be seen",
+            self.option
+        ));
+    }
+}
+
+/// Says which options that set fields change nothing in `scene`, which they led to, and returns the
+/// others. `finish` does to a scene what else the command line asks for. `decided` may give a further reason, such as a journey that sets the same field; it is asked
+/// with the scene as it would be without the option.
+pub(super) fn note_unused(
+    args: &SceneArgs,
+    scene: &Scene,
+    output: Output,
+    finish: impl Fn(Scene) -> Scene,
+    decided: impl Fn(&Scene) -> Option<String>,
+) -> Vec<Suspect> {
+    let Ok(overrides) = args.overrides() else {
+        return Vec::new();
+    };
+    let mut suspects = Vec::new();
+    let mut said = Vec::new();
+    for (index, given) in overrides.iter().enumerate() {
+        let option = written(args, given);
+        let Some(without) = without(args, &overrides, index).map(&finish) else {
+            continue;
+        };
+        let later = overrides[index + 1..]
+            .iter()
+            .find(|after| after.key == given.key);
+        let reason = if let Some(later) = later {
+            Some(format!("{} comes after it", written(args, later)))
+        } else if let Some(idle) = scene.idle_value(&given.key, output) {
+            Some(with_remedy(idle, "--set "))
+        } else if without.differences(scene).is_empty() {
+            Some("the scene has this value without it".into())
+        } else {
+            decided(&without)
+        };
+        match reason {
+            Some(reason) if !said.contains(&option) => {
+                say(format_args!(
+                    "lightfall: {option} changes nothing: {reason}"
+                ));
+                said.push(option);
+            }
+            Some(_) => {}
+            None => suspects.push(Suspect { option, without }),
+        }
+    }
+    suspects
+}
+
+/// An option as it was written.
+fn written(args: &SceneArgs, given: &Override) -> String {
+    let value = match given.option {
+        "--set" => return format!("--set {}={}", given.key, given.value),
+        "--quality" => args.quality.as_deref().unwrap_or_default(),
+        "--cells" if given.value == "true" => "off",
+        "--cells" => "on",
+        _ => &given.value,
+    };
+    format!("{} {value}", given.option)
+}
+
+/// The scene without one of the overrides, or without all of `--quality`. `None` if there is no such
+/// scene.
+fn without(args: &SceneArgs, overrides: &[Override], index: usize) -> Option<Scene> {
+    let named = overrides[index].option == "--quality";
+    let others = overrides
+        .iter()
+        .enumerate()
+        .filter(|(other, given)| *other != index && !(named && given.option == "--quality"));
+    let others: Vec<_> = others.map(|(_, given)| given.clone()).collect();
+    scene_with(args, &others).ok()
+}
+
+/// The fields that a preset file sets and that change nothing, each with the reason.
+pub(super) fn idle_fields(scene: &Scene) -> Vec<String> {
+    let mut idle = Vec::new();
+    for (key, value) in scene.differences(&Scene::default()) {
+        if !ALWAYS_GIVEN.contains(&key)
+            && let Some(reason) = scene.idle_value(key, Output::Window)
+        {
+            idle.push(format!(
+                "{key} = {value} changes nothing: {}",
+                with_remedy(reason, "")
+            ));
+        }
+    }
+    idle
+}
+
+/// Says in one sentence that a user's preset sets fields that change nothing.
+pub(super) fn note_idle_preset(preset: Option<&OsStr>, scene: &Scene) {
+    let Some(preset) = preset.filter(|preset| preset.to_str().and_then(presets::find).is_none())
+    else {
+        return;
+    };
+    let idle = idle_fields(scene);
+    let name = preset.display();
+    match idle.as_slice() {
+        [] => {}
+        [only] => say(format_args!("lightfall: {name}: {only}")),
+        [first, others @ ..] => say(format_args!(
+            "lightfall: {name}: {first}; {} more of its values change nothing (`lightfall presets check` \
+             lists them)",
+            others.len()
+        )),
+    }
+}
+
+/// Says which values of a journey's keyframes change nothing in a scene.
+pub(super) fn note_idle_journey(file: &Path, journey: &Journey, scene: &Scene) {
+    for (name, idle) in journey.idle_values(scene) {
+        say(format_args!(
+            "lightfall: {}: {name} changes nothing: {}",
+            file.display(),
+            with_remedy(idle, "--set ")
+        ));
+    }
+}
+
+/// A reason, and the value that would make the field count, in the way it is set.
+fn with_remedy(idle: Idle, set: &str) -> String {
+    match idle.remedy {
+        "" => idle.why.to_owned(),
+        remedy => format!("{}; {set}{remedy} uses it", idle.why),
+    }
+}
