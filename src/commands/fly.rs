@@ -23,14 +23,6 @@ use std::path::{Path, PathBuf};
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
-    note_idle_preset(args.scene.preset.as_deref(), &scene);
-    note_unused(
-        &args.scene,
-        &scene,
-        Output::Window,
-        |without| without,
-        |_| None,
-    );
     let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
@@ -38,7 +30,15 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     if let Some(folder) = &args.shaders {
         ShaderFiles::read(folder).map_err(|error| Stop::refused(format!("--shaders: {error}")))?;
     }
-    if let Err(reason) = app::display() {
+    let display = app::display();
+    let output = if display.is_ok() {
+        Output::Window
+    } else {
+        Output::Still
+    };
+    note_idle_preset(args.scene.preset.as_deref(), &scene);
+    note_unused(&args.scene, &scene, output, |without| without, |_| None);
+    if let Err(reason) = display {
         return draw_instead(scene, stars, &journey, journey_file, &reason);
     }
     close_own_console();

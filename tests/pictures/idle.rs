@@ -1,4 +1,4 @@
-//! Every field of every preset, changed by itself: where the scene says that the field changes
+//! Fields of every preset, each changed by itself: where the scene says that the field changes
 //! nothing, the picture is the same to the byte.
 
 use glam::UVec2;
@@ -7,6 +7,11 @@ use lightfall_core::scene::{FIELDS, Field, Kind, Output, Scene, Value};
 use lightfall_picture::{Studio, filled};
 
 const SIZE: UVec2 = UVec2::new(64, 36);
+
+/// The usual run changes every third field of a preset, so that each field is changed in at least four
+/// presets. With this variable it changes every field of every preset.
+const EVERY_FIELD: &str = "LIGHTFALL_EVERY_FIELD";
+const SHARE: usize = 3;
 
 /// Other values of a field: the ends of its range as far as they are finite, or other words.
 fn other_values(scene: &Scene, field: &Field) -> Vec<Value> {
@@ -44,7 +49,10 @@ fn change_every_field(number: usize) -> [u32; 3] {
     let mut studio = Studio::open(&filled(&scene), SIZE).unwrap();
     let plain = picture(&mut studio, &scene);
     let mut counts = [0; 3];
-    for field in FIELDS.iter() {
+    let every = std::env::var_os(EVERY_FIELD).is_some();
+    let fields = FIELDS.iter().enumerate();
+    let chosen = fields.filter(|(index, _)| every || index % SHARE == number % SHARE);
+    for (_, field) in chosen {
         let is_choice = matches!(field.kind, Kind::Choice(_));
         let mut tried = 0;
         for value in other_values(&scene, field) {
@@ -87,7 +95,7 @@ fn a_field_that_is_said_to_change_nothing_changes_no_pixel() {
             began.elapsed().as_secs_f64()
         );
         assert!(
-            shown > 30 && explained > 20,
+            shown > 10 && explained > 5,
             "{}: {shown}, {explained}",
             preset.name
         );
