@@ -3,13 +3,11 @@
 
 mod comparison;
 
-use crate::gpu;
 use crate::random::Random;
 use comparison::{ARTICLE, CLOSED, CLOSED_INSIDE_SPINNING, Comparison, Differences, ENOUGH, MINO};
 use glam::{DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
-use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
@@ -246,67 +244,3 @@ fn the_delays_of_the_articles_methods_in_random_scenes_are_those_of_the_referenc
     }
     comparison.assert_within_the_bar();
 }
-
-/// The pixels of disk scenes whose delays tests/physics has in a table, as plain differences.
-#[test]
-#[ignore = "needs a graphics adapter"]
-fn the_delays_of_the_tabulated_pixels_are_right() {
-    let size = DVec2::new(960.0, 540.0);
-    for (method, spin, theta, bar) in [
-        (Method::Closed, 0.0, 83.0, CLOSED),
-        (Method::Mino, 0.0, 83.0, MINO),
-        (Method::Closed, 0.9, 83.0, CLOSED),
-        (Method::Mino, 0.9, 83.0, MINO),
-        (Method::Closed, 0.0, 60.0, CLOSED),
-        (Method::Closed, 0.9, 60.0, CLOSED),
-        (Method::Mino, 0.9, 60.0, MINO),
-    ] {
-        let pixels = if theta == 83.0 {
-            &TABULATED_PIXELS[..9]
-        } else {
-            &TABULATED_PIXELS[9..]
-        };
-        let scene = tabulated(method, spin, theta);
-        let axes = scene.camera.tetrad_from_camera();
-        let looking = |pixel: &[f64; 2]| scene.camera.looking(DVec2::from_array(*pixel), size);
-        let directions: Vec<DVec3> = pixels.iter().map(|pixel| axes * looking(pixel)).collect();
-        let reference = Reference::new(&scene).unwrap();
-        let found = rays::trace(gpu(), &scene, &directions).unwrap();
-        let mut compared = 0;
-        for (direction, found) in directions.iter().zip(found) {
-            let truth = reference.trace_with_delays(*direction);
-            for (found, truth) in found.hits.into_iter().zip(truth.hits) {
-                assert_eq!(found.is_some(), truth.is_some());
-                let delays = found
-                    .zip(truth)
-                    .map(|(found, truth)| (found.delay, truth.delay));
-                if let Some((Some(found), Some(truth))) = delays {
-                    let off = (found - truth).abs();
-                    assert!(
-                        off < bar.delay,
-                        "{method:?}, {spin}, {theta}: {found} and not {truth}"
-                    );
-                    compared += 1;
-                }
-            }
-        }
-        // Some of the pixels show the sky or the shadow.
-        assert!(2 * compared >= pixels.len(), "{compared} hits");
-    }
-}
-
-/// The first nine for a camera 83 degrees from the axis, the others for 60 degrees.
-pub const TABULATED_PIXELS: [[f64; 2]; 12] = [
-    [200.5, 300.5],
-    [760.5, 300.5],
-    [480.5, 150.5],
-    [430.5, 190.5],
-    [600.5, 215.5],
-    [300.5, 240.5],
-    [480.5, 380.5],
-    [560.5, 352.5],
-    [410.5, 262.5],
-    [540.5, 330.5],
-    [480.5, 341.5],
-    [430.5, 330.5],
-];

@@ -1,37 +1,41 @@
 //! Elliptic functions of the shaders against f64.
 
 use crate::gpu;
-use glam::{Vec2, Vec4};
-use lightfall_core::gpu::bindings::{INPUT, OUTPUT};
-use lightfall_core::gpu::kernel::ArrayKernel;
+use crate::light::light_from;
+use glam::Vec4;
+use lightfall_core::gpu::Variant;
+use lightfall_core::scene::{Method, Scene};
 
-/// The functions, with an entry point that maps each `vec4` `v` to the `vec2` `expression`.
-fn kernel(expression: &str) -> String {
-    let functions = include_str!("../../../../shaders/elliptic.wgsl");
-    format!(
-        "{functions}
-         @group(0) @binding({INPUT}) var<storage, read> given: array<vec4<f32>>;
-         @group(0) @binding({OUTPUT}) var<storage, read_write> found: array<vec2<f32>>;
-         @compute @workgroup_size(64) fn apply(@builtin(global_invocation_id) id: vec3<u32>) {{
-             if id.x < arrayLength(&given) {{
-                 let v = given[id.x];
-                 found[id.x] = {expression};
-             }}
-         }}"
-    )
+/// The value of a WGSL expression, a `vec4<f32>`, for each `vec4<f32>` called `given` in it.
+fn values(expression: &str, given: &[Vec4]) -> Vec<Vec4> {
+    let scene = Scene {
+        method: Method::Closed,
+        ..Scene::default()
+    };
+    let source = Variant::rays(&scene).source();
+    light_from(gpu(), &source, expression, &[], given.iter().copied())
+}
+
+/// Carlson's integral as the shader finds it, against its `truth` for (x, mean, h2).
+///
+/// Measured 2.5e-7 on the software adapter: rounding, and truncation after three duplications. Other
+/// adapters' division and roots may be a few units in the last place off.
+fn assert_symmetric_integral(given: &[Vec4], truth: impl Fn(f64, f64, f64) -> f64) {
+    let integral = "vec4<f32>(carlson_rf_pair(given.x, given.y, given.z))";
+    for (given, found) in given.iter().zip(values(integral, given)) {
+        let [x, mean, h2, _] = given.as_dvec4().to_array();
+        let truth = truth(x, mean, h2);
+        assert!(
+            (f64::from(found.x) / truth - 1.0).abs() < 8e-7,
+            "{given}: {} against {truth}",
+            found.x
+        );
+    }
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_symmetric_integral_agrees_with_the_one_in_f64_for_a_real_pair() {
-    let gpu = gpu();
-    let kernel = ArrayKernel::new(
-        gpu,
-        &kernel("vec2<f32>(carlson_rf_pair(v.x, v.y, v.z), 0.0)"),
-        "apply",
-        &[],
-    )
-    .unwrap();
     // Pairs within a factor of four of each other, as those of orbits are, from as large as x to a
     // thousandth of it.
     let given: Vec<Vec4> = (0..4096_u32)
@@ -47,32 +51,14 @@ fn the_symmetric_integral_agrees_with_the_one_in_f64_for_a_real_pair() {
             )
         })
         .collect();
-    let found: Vec<Vec2> = kernel.run(gpu, &given).unwrap();
-    for (given, found) in given.iter().zip(found) {
-        let [x, mean, h2] = [given.x, given.y, given.z].map(f64::from);
-        let truth = ellip::elliprf(x, mean + h2.sqrt(), mean - h2.sqrt()).unwrap();
-        // Measured 2.5e-7 on the software adapter: rounding, and truncation after three
-        // duplications. Other adapters' division and roots may be a few units in the last place
-        // off.
-        assert!(
-            (f64::from(found.x) / truth - 1.0).abs() < 8e-7,
-            "{given}: {} against {truth}",
-            found.x
-        );
-    }
+    assert_symmetric_integral(&given, |x, mean, h2| {
+        ellip::elliprf(x, mean + h2.sqrt(), mean - h2.sqrt()).unwrap()
+    });
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_symmetric_integral_agrees_with_a_quadrature_for_a_conjugate_pair() {
-    let gpu = gpu();
-    let kernel = ArrayKernel::new(
-        gpu,
-        &kernel("vec2<f32>(carlson_rf_pair(v.x, v.y, v.z), 0.0)"),
-        "apply",
-        &[],
-    )
-    .unwrap();
     let pairs = [
         (1.0, -0.3),
         (0.5, -0.01),
@@ -81,13 +67,8 @@ fn the_symmetric_integral_agrees_with_a_quadrature_for_a_conjugate_pair() {
         (-0.3, -0.5),
         (3.0, -40.0),
     ];
-    let given: Vec<Vec4> = pairs
-        .iter()
-        .map(|&(mean, h2)| Vec4::new(1.0, mean, h2, 0.0))
-        .collect();
-    let found: Vec<Vec2> = kernel.run(gpu, &given).unwrap();
-    for (given, found) in given.iter().zip(found) {
-        let [x, mean, h2] = [given.x, given.y, given.z].map(f64::from);
+    let given = pairs.map(|(mean, h2)| Vec4::new(1.0, mean, h2, 0.0));
+    assert_symmetric_integral(&given, |x, mean, h2| {
         // (1/2) integral over t > 0 of dt / sqrt((t + x) ((t + mean)^2 - h2)), with t = exp(s): the
         // trapezoidal rule converges exponentially on an integrand that dies out at both ends.
         let step = 0.01;
@@ -95,14 +76,8 @@ fn the_symmetric_integral_agrees_with_a_quadrature_for_a_conjugate_pair() {
             .map(|i| (f64::from(i) * step).exp())
             .map(|t| t / ((t + x) * ((t + mean).powi(2) - h2)).sqrt())
             .sum();
-        let truth = 0.5 * step * sum;
-        // Measured 7e-8; the tolerance is that of the real pair.
-        assert!(
-            (f64::from(found.x) / truth - 1.0).abs() < 8e-7,
-            "{given}: {} against {truth}",
-            found.x
-        );
-    }
+        0.5 * step * sum
+    });
 }
 
 /// (z^2 P - 1, -z^3 P' / 2 - 1) by 64 terms of Laurent's series, which converges as (z / 2 pi)^2 or
@@ -124,9 +99,8 @@ fn weierstrass(z: f64, g3: f64) -> [f64; 2] {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_weierstrass_function_agrees_with_its_whole_series_up_to_pi() {
-    let gpu = gpu();
-    let source = kernel("vec2<f32>(weierstrass(v.x, v.y).even, weierstrass(v.x, v.y).odd)");
-    let kernel = ArrayKernel::new(gpu, &source, "apply", &[]).unwrap();
+    let function = "weierstrass(given.x, given.y)";
+    let function = format!("vec4<f32>({function}.even, {function}.odd, 0.0, 0.0)");
     // g3 = 1/216 - 1/(16 b^2), from b infinite to b = 0.5.
     let given: Vec<Vec4> = (0..4096_u32)
         .map(|i| {
@@ -138,8 +112,7 @@ fn the_weierstrass_function_agrees_with_its_whole_series_up_to_pi() {
         // distance.
         .filter(|v| v.x < 1.2 || v.y > -0.005)
         .collect();
-    let found: Vec<Vec2> = kernel.run(gpu, &given).unwrap();
-    for (given, found) in given.iter().zip(found) {
+    for (given, found) in given.iter().zip(values(&function, &given)) {
         let [even, odd] = weierstrass(f64::from(given.x), f64::from(given.y));
         // Relative to the whole functions, in which the pole is the term 1: rounding, amplified by
         // the duplication. Measured: 4.5e-7.

@@ -10,6 +10,8 @@ mod adapter;
 mod background_device;
 mod bench_rows;
 mod bench_run;
+#[path = "../physics/bisect.rs"]
+mod bisect;
 mod camera;
 mod cells;
 mod choice;
@@ -59,6 +61,8 @@ mod stars;
 mod structure;
 #[path = "../physics/structure_field.rs"]
 mod structure_field;
+#[path = "../physics/tabulated_images.rs"]
+mod tabulated_images;
 mod tilted_disk;
 mod uniforms;
 mod variants;

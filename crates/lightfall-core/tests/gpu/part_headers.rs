@@ -1,11 +1,8 @@
 //! The header of every WGSL file: the names that it gives to others.
 
+use crate::shaders::other_shaders;
 use crate::variants::every_variant;
-use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
-use lightfall_core::gpu::{
-    Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
-};
-use lightfall_core::scene::Projection;
+use lightfall_core::gpu::{ShaderText, Variant};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
@@ -121,14 +118,7 @@ fn joined_texts() -> Vec<ShaderText> {
         .into_iter()
         .filter(|variant| seen.insert(variant.files()));
     let mut texts: Vec<ShaderText> = variants.map(Variant::text).collect();
-    texts.extend([
-        Presentation::shader(),
-        Difference::shader(),
-        Accumulation::shader(),
-        splat_shader(Projection::Perspective),
-        candidate_shader(Projection::Perspective),
-    ]);
-    texts.extend([1, 4].map(|samples| EdgeTraits { samples }.shader()));
+    texts.extend(other_shaders().into_iter().map(|(text, _)| text));
     texts
 }
 

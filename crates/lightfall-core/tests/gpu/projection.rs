@@ -6,7 +6,7 @@ use crate::light::light_from;
 use crate::shader_files::Folder;
 use crate::stars::light::flux_of_images;
 use crate::stars::run::{StarLight, StarRun};
-use crate::stars::star_of;
+use crate::stars::{star_at, star_of};
 use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::swizzles::Vec3Swizzles;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, Vec4};
@@ -191,11 +191,7 @@ fn stars(scene: &Scene) -> Vec<Star> {
     all_around(300)
         .into_iter()
         .chain(beside)
-        .map(|direction| Star {
-            direction: direction.normalize().as_vec3(),
-            magnitude: 0.0,
-            temperature: 6500.0,
-        })
+        .map(star_at)
         .collect()
 }
 

@@ -42,47 +42,32 @@ fn the_files_of_all_pictures_are_those_of_every_variant_that_draws_one() {
     assert_eq!(Variant::files_of_all_pictures(), files);
 }
 
-#[test]
-fn naga_accepts_the_presentation() {
-    let entries = ["vertex", "pixelate", "expand", "fit"];
-    if let Err(message) = validate(&Presentation::shader(), &entries) {
-        panic!("{message}");
-    }
-}
-
-#[test]
-fn naga_accepts_the_search_for_edges() {
-    for samples in [1, 4] {
-        if let Err(message) = validate(&EdgeTraits { samples }.shader(), &["edges"]) {
-            panic!("{samples} samples: {message}");
-        }
-    }
-}
-
-#[test]
-fn naga_accepts_the_drawing_of_stars() {
-    let propose: &[&str] = &["find_candidates", "find_wide_candidates", "test_candidates"];
-    for (shader, entries) in [
-        (candidate_shader(Projection::Perspective), propose),
+/// The shaders that are no variants, with their entry points.
+pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
+    let [one, four] = [1, 4].map(|samples| EdgeTraits { samples }.shader());
+    vec![
+        (
+            Presentation::shader(),
+            &["vertex", "pixelate", "expand", "fit"],
+        ),
+        (one, &["edges"]),
+        (four, &["edges"]),
+        (
+            candidate_shader(Projection::Perspective),
+            &["find_candidates", "find_wide_candidates", "test_candidates"],
+        ),
         (splat_shader(Projection::Perspective), &["splat"]),
-    ] {
+        (Accumulation::shader(), &["vertex", "accumulate"]),
+        (Difference::shader(), &["vertex", "difference"]),
+    ]
+}
+
+#[test]
+fn naga_accepts_every_other_shader() {
+    for (shader, entries) in other_shaders() {
         if let Err(message) = validate(&shader, entries) {
             panic!("{entries:?}: {message}");
         }
-    }
-}
-
-#[test]
-fn naga_accepts_the_mean_of_frames() {
-    if let Err(message) = validate(&Accumulation::shader(), &["vertex", "accumulate"]) {
-        panic!("{message}");
-    }
-}
-
-#[test]
-fn naga_accepts_the_difference() {
-    if let Err(message) = validate(&Difference::shader(), &["vertex", "difference"]) {
-        panic!("{message}");
     }
 }
 

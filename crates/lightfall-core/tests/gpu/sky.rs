@@ -2,10 +2,10 @@
 
 use crate::light::light_from;
 use crate::{all_around, bare_hole, gpu};
-use glam::{DVec3, UVec2, Vec4};
-use lightfall_core::gpu::kernel::uniform;
+use glam::{DVec3, UVec2};
+use lightfall_core::gpu::kernel::{table_bytes, uniform};
 use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
-use lightfall_core::optics::spectrum::{TABLE_LEN, table};
+use lightfall_core::optics::spectrum::table;
 use lightfall_core::scene::{Frame, Scene, SkyMode};
 use std::f64::consts::TAU;
 
@@ -20,12 +20,10 @@ fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Ve
         "vec4<f32>({}, scene.sky.spot_radius + spectrum[0].x)",
         expression.replace("direction", "given.xyz")
     );
-    let entries = table();
-    let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
     let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(UVec2::new(960, 540))).unwrap();
     let uniforms = [
         (bindings::SCENE, uniform(&numbers)),
-        (bindings::SPECTRUM, uniform(&rows)),
+        (bindings::SPECTRUM, table_bytes(&table())),
     ];
     let given = directions
         .iter()

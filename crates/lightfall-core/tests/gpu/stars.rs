@@ -9,14 +9,14 @@ mod mesh;
 pub(crate) mod run;
 
 use crate::gpu;
-use glam::{DMat3, DVec2, Vec3};
+use glam::{DMat3, DVec2, DVec3, Vec3};
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars};
 use lightfall_core::optics::disk;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::spectrum::{TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use lightfall_core::optics::stars::images::{Inversion, StarImage};
 use lightfall_core::optics::stars::{
-    Catalogue, Depth, ZERO_MAGNITUDE_FLUX, hole_from_celestial, luminance,
+    Catalogue, Depth, Star, ZERO_MAGNITUDE_FLUX, hole_from_celestial, luminance,
 };
 use lightfall_core::scene::{Scene, presets};
 use run::{StarLight, StarRun};
@@ -41,6 +41,15 @@ fn preset(number: usize) -> Scene {
     let mut scene = presets::PRESETS[number - 1].plain_scene().clone();
     scene.hole.spin = 0.0;
     scene
+}
+
+/// A star of magnitude 0.
+pub(crate) fn star_at(direction: DVec3) -> Star {
+    Star {
+        direction: direction.normalize().as_vec3(),
+        magnitude: 0.0,
+        temperature: 6500.0,
+    }
 }
 
 /// A star of the list, with the rounding of its packed form.

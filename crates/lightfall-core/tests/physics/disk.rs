@@ -116,40 +116,6 @@ fn disk_seen_face_on_has_the_redshift_of_gravity_and_transverse_motion() {
     assert!(seen > 20, "only {seen} hits");
 }
 
-/// Matter that orbits toward growing phi approaches a camera at phi = 0 where phi is negative.
-#[test]
-fn disk_is_bluer_on_its_approaching_side() {
-    let mut scene = Scene::default();
-    scene.camera.theta_deg = 80.0;
-    let reference = Reference::new(&scene).unwrap();
-    let g = |d_phi: f64| {
-        reference.trace(glam::DVec3::new(-1.0, 0.02, d_phi)).hits[0]
-            .unwrap()
-            .g
-    };
-    assert!(
-        g(-0.3) > 1.1 && g(0.3) < 0.9,
-        "left {}, right {}",
-        g(-0.3),
-        g(0.3)
-    );
-}
-
-#[test]
-fn disk_begins_at_the_isco_where_that_lies_outside_the_given_edge() {
-    let mut scene = Scene::default();
-    assert_eq!(scene.inner_edge(), 3.0);
-    scene.hole.spin = -0.9;
-    assert_close(
-        "retrograde",
-        scene.inner_edge(),
-        8.717_352_279_606 / 2.0,
-        1e-12,
-    );
-    scene.hole.spin = 0.9;
-    assert_eq!(scene.inner_edge(), 3.0);
-}
-
 /// The zero-torque profile peaks at (49/36) r_in with F = (36/49)^3 / 7, found by setting its
 /// derivative to zero.
 #[test]
@@ -382,22 +348,10 @@ fn disk_model_of_the_scene_chooses_the_profile() {
     let mut scene = Scene::default();
     scene.hole.spin = 0.9;
     assert_eq!(Profile::new(&scene), Profile::Newtonian(3.0));
-    assert_close(
-        "newtonian",
-        Profile::new(&scene).flux(5.0),
-        newtonian_flux(5.0, 3.0),
-        1e-15,
-    );
     scene.disk.model = DiskModel::PageThorne;
     assert_eq!(
         Profile::new(&scene),
         Profile::PageThorne(PageThorne::new(0.9, 3.0))
-    );
-    assert_close(
-        "page-thorne",
-        Profile::new(&scene).flux(5.0),
-        PageThorne::new(0.9, 3.0).flux(5.0),
-        1e-15,
     );
 }
 

@@ -1,5 +1,6 @@
 //! Effects switched off one by one, against observers and flat space.
 
+use crate::reference::directions;
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::{Photon, observer_matrix};
@@ -19,21 +20,13 @@ fn scene(spin: f64, kind: ObserverKind, velocity: [f64; 3]) -> Scene {
     scene
 }
 
-/// Directions over the whole sphere.
-fn directions() -> impl Iterator<Item = DVec3> {
-    (0..400).map(|i| {
-        let (z, turn) = (1.0 - (2.0 * f64::from(i) + 1.0) / 400.0, 2.4 * f64::from(i));
-        DVec3::new(turn.cos(), turn.sin(), 0.0) * (1.0_f64 - z * z).sqrt() + z * DVec3::Z
-    })
-}
-
 #[test]
 fn an_observer_at_rest_in_the_local_frame_has_no_doppler_factor() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
         let mut scene = scene(spin, ObserverKind::Zamo, [0.0; 3]);
         scene.effects.gravitational_shift = false;
         let (camera_rays, shift) = (CameraRays::new(&scene).unwrap(), Shift::new(&scene));
-        for direction in directions() {
+        for direction in directions(400) {
             let photon = camera_rays.photon(direction);
             let n = scene.camera.direction();
             let lambda = scene.camera.r * n.cross(photon.w).z / photon.energy;
@@ -67,7 +60,7 @@ fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_fr
             width,
         } = RestFrame::at(kerr, r, FRAC_PI_2);
         let speed = (orbit.angular_velocity - dragging) * width / lapse;
-        for direction in directions() {
+        for direction in directions(400) {
             let photon = matrix.photon(direction);
             let momentum = r * photon.w.y;
             let whole = disk::redshift(&orbit, photon.energy, momentum);
@@ -110,7 +103,7 @@ fn without_aberration_directions_are_those_of_the_local_frame_and_frequencies_th
         );
         let (theta, phi) = (70_f64.to_radians(), 25_f64.to_radians());
         let rest = observer_matrix(spin, ObserverKind::Zamo, [0.0; 3], 6.0, theta, phi).unwrap();
-        for direction in directions() {
+        for direction in directions(400) {
             let (photon, at_rest) = (without.photon(direction), rest.photon(direction));
             // The same path: the photons differ only by a factor.
             let factor = at_rest.energy / photon.energy;
@@ -157,7 +150,7 @@ fn straight_rays_keep_the_aberration_of_special_relativity() {
     (scene.disk.enabled, scene.effects.lensing) = (false, false);
     let reference = Reference::new(&scene).unwrap();
     let mut seen = 0;
-    for direction in directions() {
+    for direction in directions(400) {
         let Some(sky) = reference.trace(direction).sky else {
             continue;
         };

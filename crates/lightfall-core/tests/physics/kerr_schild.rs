@@ -3,6 +3,7 @@
 //! fifth-order method. It shares no coordinate, no constant of motion, no tetrad and no integrator
 //! with the reference.
 
+use crate::reference::directions;
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
@@ -313,12 +314,7 @@ fn assert_same_sky(scenes: impl IntoIterator<Item = Scene>, least: u32) {
             scene.hole.spin, scene.camera, scene.observer
         );
         let reference = Reference::new(&scene).unwrap();
-        for i in 0..24 {
-            // A spiral over the sphere of directions.
-            let z = 1.0 - (f64::from(i) + 0.5) / 12.0;
-            let (sin, cos) = (2.4 * f64::from(i)).sin_cos();
-            let across = (1.0 - z * z).sqrt();
-            let direction = DVec3::new(z, across * cos, across * sin);
+        for direction in directions(24) {
             let trace = reference.trace(direction);
             let Some(tight) = sky(&scene, direction, 1e-13) else {
                 assert_eq!(trace.outcome, Outcome::Captured, "{shown}, {direction}");

@@ -8,6 +8,7 @@
 
 mod accuracy;
 mod apparent_hole;
+mod bisect;
 mod closed_kerr;
 mod delay;
 mod delay_error;
@@ -48,8 +49,11 @@ mod stars;
 mod structure;
 mod structure_field;
 mod structure_period;
+mod tabulated_images;
 mod tilted_disk;
 mod timelike;
+
+use bisect::bisect;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.
 #[track_caller]
@@ -59,24 +63,4 @@ fn assert_close(what: impl std::fmt::Display, found: f64, expected: f64, relativ
         error <= relative * expected.abs(),
         "{what}: found {found}, expected {expected}, off by {error:e}"
     );
-}
-
-/// Where `inside` changes from true to false between `low` (true) and `high` (false), to the last
-/// bit.
-fn bisect(mut low: f64, mut high: f64, inside: impl Fn(f64) -> bool) -> f64 {
-    assert!(
-        inside(low) && !inside(high),
-        "no change between {low} and {high}"
-    );
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low.min(high) || middle >= low.max(high) {
-            return middle;
-        }
-        if inside(middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
 }

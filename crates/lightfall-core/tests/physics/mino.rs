@@ -1,7 +1,7 @@
 //! Null geodesics from infinity against tables, elliptic integrals and other codes.
 
 use crate::light_without_spin::deflection;
-use crate::schwarzschild::{DEFLECTION, RINGS, rounding_of_b};
+use crate::schwarzschild::rounding_of_b;
 use crate::{assert_close, bisect};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
@@ -46,20 +46,6 @@ fn deflection_error(b: f64, bending: f64) -> f64 {
     let sky = trace(0.0, [-b, 0.0], 0.0, FRAC_PI_2, None).sky.unwrap();
     let turn = -(bending + PI);
     (sky - DVec3::new(turn.cos(), turn.sin(), 0.0)).length()
-}
-
-/// The tables (mpmath) have sixteen digits. 1e-12 rad is about a thousand rounding errors in up to
-/// twenty-six steps. Near the critical curve the rounding of b is amplified by b/(b - b_c).
-#[test]
-fn light_from_infinity_has_the_tabulated_deflection() {
-    for [b, bending] in DEFLECTION {
-        let error = deflection_error(b / 2.0, bending);
-        assert!(error < 1e-12 + rounding_of_b(b), "b = {b} M: {error:e}");
-    }
-    for (n, b) in (1..).zip(RINGS) {
-        let error = deflection_error(b / 2.0, f64::from(n) * PI);
-        assert!(error < 1e-12 + rounding_of_b(b), "ring {n}: {error:e}");
-    }
 }
 
 /// Thousands of impact parameters against the elliptic integral, over nine decades of distance to

@@ -1,6 +1,7 @@
 //! The path of a ray, which the ray inspector shows, against independent integrals and closed
 //! forms.
 
+use crate::reference;
 use glam::{DVec2, DVec3};
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
@@ -105,11 +106,7 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
         let horizon = Kerr { spin }.horizon();
         let reference = Reference::new(&scene).unwrap();
         let mut seen = [0, 0];
-        // In all directions.
-        for i in 0..600 {
-            let (height, turn) = ((f64::from(i) + 0.5) / 300.0 - 1.0, 2.4 * f64::from(i));
-            let across = (1.0 - height * height).sqrt();
-            let direction = DVec3::new(height, across * turn.cos(), across * turn.sin());
+        for direction in reference::directions(600) {
             let (trace, path) = Path::of(&reference, direction, 60.0);
             let farthest = path
                 .points
@@ -318,27 +315,18 @@ fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
 
 #[test]
 fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
+    let mut seen = 0;
     for mut scene in presets() {
-        let count = |scene: &Scene, order: u32| {
-            directions(scene)
-                .into_iter()
-                .filter(|direction| {
-                    Inspected::new(scene, *direction, None, 60.0)
-                        .unwrap()
-                        .numbers
-                        .order
-                        == Some(order)
-                })
-                .count()
-        };
         scene.effects.lensing = false;
-        assert_eq!(
-            count(&scene, 0) + count(&scene, 1),
-            directions(&scene).len() - captured(&scene),
-            "{}",
-            scene.name
-        );
+        let inspected = |direction| Inspected::new(&scene, direction, None, 60.0).unwrap();
+        // Rays without anything to be seen have no order.
+        let orders = directions(&scene).into_iter().map(inspected);
+        for order in orders.filter_map(|inspected| inspected.numbers.order) {
+            assert!(order <= 1, "{}", scene.name);
+            seen += 1;
+        }
     }
+    assert!(seen > 100, "{seen} rays");
     // Light that barely escapes winds about the hole: half a turn more for every factor e^pi nearer
     // to the critical ray.
     let mut scene = Scene::default();
@@ -359,19 +347,4 @@ fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
     };
     let more = turn(1e-7 / PI.exp()) - turn(1e-7);
     assert!((more - PI).abs() < 1e-4, "{more}");
-}
-
-/// Rays without anything to be seen.
-fn captured(scene: &Scene) -> usize {
-    let dark = |direction: &DVec3| {
-        Inspected::new(scene, *direction, None, 60.0)
-            .unwrap()
-            .numbers
-            .order
-            .is_none()
-    };
-    directions(scene)
-        .iter()
-        .filter(|direction| dark(direction))
-        .count()
 }

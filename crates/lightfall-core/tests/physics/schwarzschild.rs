@@ -10,7 +10,7 @@ use lightfall_core::scene::ObserverKind;
 use std::f64::consts::PI;
 
 /// b in M and the deflection in radians, computed with mpmath to 25 digits.
-pub const DEFLECTION: [[f64; 2]; 18] = [
+const DEFLECTION: [[f64; 2]; 18] = [
     [5.1962, 11.200_883_845_258_15],
     [5.19616, 13.038_050_086_939_78],
     [5.197, 8.321_408_085_687_58],
@@ -32,7 +32,7 @@ pub const DEFLECTION: [[f64; 2]; 18] = [
 ];
 
 /// b in M at which light is bent by n pi, n = 1 to 5, computed with mpmath to 25 digits.
-pub const RINGS: [f64; 5] = [
+const RINGS: [f64; 5] = [
     5.356_958_630_741_789,
     5.202_680_402_810_456,
     5.196_433_501_105_725,

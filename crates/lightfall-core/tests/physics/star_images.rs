@@ -4,10 +4,11 @@
 use crate::assert_close;
 use crate::light_without_spin::deflection;
 use crate::random::Random;
+use crate::tabulated_images::{TabulatedImage, tabulated_images};
 use glam::{DMat2, DVec2, DVec3};
 use lightfall_core::geometry::schwarzschild::rain_sky::RainSky;
 use lightfall_core::geometry::schwarzschild::{CRITICAL_IMPACT, shadow_half_angle_static};
-use lightfall_core::geometry::sphere::{angle_between, celestial_frame};
+use lightfall_core::geometry::sphere::angle_between;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::optics::stars::images::refine_image::{ImageRefiner, Tangents};
@@ -17,134 +18,24 @@ use lightfall_core::optics::stars::images::{
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::f64::consts::{PI, TAU};
 
-/// A camera that looks at the hole, without a disk.
-fn scene(spin: f64, kind: ObserverKind, velocity: [f64; 3], [r, theta_deg]: [f64; 2]) -> Scene {
+/// A camera at rest in the equator that looks at the hole, without a disk.
+fn static_at(r: f64) -> Scene {
     let mut scene = Scene::default();
-    scene.hole.spin = spin;
-    (scene.observer.kind, scene.observer.velocity) = (kind, velocity);
-    (scene.camera.r, scene.camera.theta_deg, scene.camera.phi_deg) = (r, theta_deg, 0.0);
+    scene.observer.kind = ObserverKind::Static;
+    (scene.camera.r, scene.camera.theta_deg, scene.camera.phi_deg) = (r, 90.0, 0.0);
     scene.disk.enabled = false;
     scene
-}
-
-fn static_at(r: f64) -> Scene {
-    scene(0.0, ObserverKind::Static, [0.0; 3], [r, 90.0])
-}
-
-/// The unit vector toward polar angle and azimuth in degrees.
-fn toward([theta_deg, phi_deg]: [f64; 2]) -> DVec3 {
-    celestial_frame(theta_deg.to_radians(), phi_deg.to_radians())[0]
-}
-
-/// A scene's star, and one of its images: direction on the observer's axes, 1/E, magnification.
-type Row = (Scene, [f64; 2], [f64; 3], f64, f64);
-
-/// Computed by an independent integrator in f64, whose tracer agrees with another one to 1e-10.
-fn tabulated() -> Vec<Row> {
-    use ObserverKind::{Rain, Static, Zamo};
-    let slow = scene(0.0, Static, [0.0; 3], [20.0, 83.0]);
-    let fast = scene(0.9, Static, [0.0; 3], [20.0, 83.0]);
-    let close = scene(0.998, Zamo, [0.0; 3], [5.0, 75.0]);
-    let moving = scene(0.9, Static, [0.3, 0.0, 0.6], [10.0, 60.0]);
-    let inside = scene(0.0, Rain, [0.0; 3], [0.6, 80.0]);
-    let (behind, aside) = ([100.0, 170.0], [60.0, 250.0]);
-    vec![
-        (
-            slow.clone(),
-            behind,
-            [-0.90315292, 0.12962113, 0.40928373],
-            1.02597835,
-            1.37942,
-        ),
-        (
-            slow,
-            behind,
-            [-0.95920284, -0.08535920, -0.26952497],
-            1.02597835,
-            0.477478,
-        ),
-        (
-            fast.clone(),
-            behind,
-            [-0.89891347, 0.14322530, 0.41405446],
-            1.02597815,
-            1.48225,
-        ),
-        (
-            fast.clone(),
-            behind,
-            [-0.96374396, -0.09851016, -0.24797848],
-            1.02597815,
-            0.594890,
-        ),
-        (
-            fast.clone(),
-            aside,
-            [-0.17271828, -0.53841840, -0.82478726],
-            1.02597815,
-            0.950674,
-        ),
-        (
-            fast,
-            aside,
-            [-0.98393023, 0.09027164, 0.15405305],
-            1.02597815,
-            0.00519132,
-        ),
-        (
-            close.clone(),
-            behind,
-            [-0.62494039, -0.60941759, 0.48791363],
-            1.12948252,
-            2.73903,
-        ),
-        (
-            close,
-            behind,
-            [-0.77375790, 0.58274927, -0.24839887],
-            1.11177241,
-            2.14299,
-        ),
-        (
-            moving.clone(),
-            behind,
-            [-0.28755983, -0.48330540, 0.82687680],
-            1.32462044,
-            0.693478,
-        ),
-        (
-            moving,
-            behind,
-            [-0.65730712, 0.41243496, 0.63074936],
-            0.95477390,
-            0.310359,
-        ),
-        (
-            inside,
-            [60.0, 40.0],
-            [0.22810336, -0.54616563, 0.80602231],
-            0.77251087,
-            1.68421,
-        ),
-    ]
 }
 
 /// The tables' digits leave 1e-8 in direction and shift and, with six of them, 4e-6 of mu.
 #[test]
 fn images_without_spin_are_where_an_independent_tracer_finds_them() {
-    let rows = tabulated();
-    let without_spin = rows.iter().filter(|(scene, ..)| scene.hole.spin == 0.0);
+    let rows = tabulated_images(&static_at(20.0)).into_iter();
     let mut checked = 0;
-    for (scene, star, direction, shift, magnification) in without_spin {
-        let images = Inversion::new(scene).unwrap();
-        let direction = DVec3::from_array(*direction);
-        let image = nearest(images.images(toward(*star)), direction);
-        assert!(
-            image.direction.distance(direction) < 2e-8,
-            "{image:?} and {direction}"
-        );
-        assert_close("1/E", image.shift, *shift, 1e-8);
-        assert_close("mu", image.magnification, *magnification, 4e-6);
+    for row in rows.filter(|row| row.scene.hole.spin == 0.0) {
+        let images = Inversion::new(&row.scene).unwrap();
+        let image = nearest(images.images(row.star), row.direction);
+        assert_image(&image, &row, 4e-6);
         checked += 1;
     }
     assert_eq!(checked, 3);
@@ -153,13 +44,12 @@ fn images_without_spin_are_where_an_independent_tracer_finds_them() {
 /// The polished image does not know the closed form, and works for every spin.
 #[test]
 fn polished_images_are_where_an_independent_tracer_finds_them() {
-    for (scene, star, direction, shift, magnification) in tabulated() {
-        let mut scene = scene;
+    for row in tabulated_images(&static_at(20.0)) {
+        let (mut scene, star, direction) = (row.scene, row.star, row.direction);
         // The whole sphere's half toward the image is in front of the camera.
-        if direction[0] > -0.5 {
-            scene.camera.yaw_deg = if direction[2] > 0.0 { 70.0 } else { -70.0 };
+        if direction.x > -0.5 {
+            scene.camera.yaw_deg = 70.0 * direction.z.signum();
         }
-        let direction = DVec3::from_array(direction);
         let axes = scene.camera.tetrad_from_camera();
         let reference = Reference::new(&scene).unwrap();
         let sky = |place: DVec2| reference.trace(axes * place.extend(1.0)).sky;
@@ -170,7 +60,7 @@ fn polished_images_are_where_an_independent_tracer_finds_them() {
         };
         let seen = axes.transpose() * direction;
         let image = seen.truncate() / seen.z;
-        let tangents = Tangents::at(toward(star));
+        let tangents = Tangents::at(star);
         // The guess is a hundredth off, with the Jacobian of that place.
         let guess = image + DVec2::new(0.008, -0.006).clamp_length_max(0.002);
         let rate = |step: DVec2| {
@@ -179,15 +69,16 @@ fn polished_images_are_where_an_independent_tracer_finds_them() {
         };
         let jacobian = DMat2::from_cols(rate(DVec2::X * 1e-5), rate(DVec2::Y * 1e-5));
         let found = refiner
-            .image(&sky, toward(star), guess, jacobian)
+            .image(&sky, star, guess, jacobian)
             .unwrap_or_else(|| panic!("no image at {direction}"));
         let polished = (axes * found.place.extend(1.0)).normalize();
         assert!(
             polished.distance(direction) < 2e-8,
             "{polished} and {direction}, {found:?}"
         );
-        assert_close("1/E", 1.0 / reference.photon(polished).energy, shift, 1e-8);
-        assert_close("mu", found.magnification, magnification, 4e-6);
+        let shift = 1.0 / reference.photon(polished).energy;
+        assert_close("1/E", shift, row.shift, 1e-8);
+        assert_close("mu", found.magnification, row.magnification, 4e-6);
     }
 }
 
@@ -195,25 +86,27 @@ fn polished_images_are_where_an_independent_tracer_finds_them() {
 /// tracer in f64. It may miss images of less than a twentieth of the star's light.
 #[test]
 fn a_mesh_of_reference_rays_finds_the_tabulated_images() {
-    let bright = tabulated().into_iter().filter(|row| row.4 > 0.05);
-    assert!(bright.clone().count() > 5);
-    for (scene, star, direction, shift, magnification) in bright {
-        let mut scene = scene;
-        let direction = DVec3::from_array(direction);
-        let [outward, theta, phi] = direction.to_array();
+    let mut bright = tabulated_images(&static_at(20.0));
+    bright.retain(|row| row.magnification > 0.05);
+    assert!(bright.len() > 5);
+    for row in bright {
+        let mut scene = row.scene.clone();
+        let [outward, theta, phi] = row.direction.to_array();
         scene.camera.yaw_deg = phi.atan2(-outward).to_degrees() + 4.0;
         scene.camera.pitch_deg = (-theta).asin().to_degrees() + 3.0;
         scene.effects.beaming = false;
         let mesh = RayMesh::new(&scene, MeshLayout::CELLS / 16.0).unwrap();
-        let found = nearest(mesh.images(toward(star)).into_iter(), direction);
-        assert!(
-            found.direction.distance(direction) < 2e-8,
-            "{} and {direction}",
-            found.direction
-        );
-        assert_close("g", found.shift, shift, 1e-8);
-        assert_close("mu", found.magnification, magnification, 1e-4);
+        let found = nearest(mesh.images(row.star).into_iter(), row.direction);
+        assert_image(&found, &row, 1e-4);
     }
+}
+
+#[track_caller]
+fn assert_image(found: &StarImage, expected: &TabulatedImage, relative: f64) {
+    let off = found.direction.distance(expected.direction);
+    assert!(off < 2e-8, "{found:?} and {}", expected.direction);
+    assert_close("1/E", found.shift, expected.shift, 1e-8);
+    assert_close("mu", found.magnification, expected.magnification, relative);
 }
 
 /// The names of the stars around a hole that hardly spins are those around one that does not, which are
@@ -412,7 +305,8 @@ fn the_mean_magnification_of_random_stars_is_the_share_of_the_sky_that_is_not_sh
 /// F, goes with g^2 (Misner, Thorne & Wheeler 1973, section 22.6).
 #[test]
 fn without_lensing_the_flux_of_a_star_goes_with_the_square_of_its_shift() {
-    let mut scene = scene(0.0, ObserverKind::Static, [0.5, 0.0, 0.0], [1e7, 90.0]);
+    let mut scene = static_at(1e7);
+    scene.observer.velocity = [0.5, 0.0, 0.0];
     scene.effects.lensing = false;
     let images = Inversion::new(&scene).unwrap();
     let doppler = |cosine: f64| (1.0 - 0.25_f64).sqrt() / (1.0 - 0.5 * cosine);
@@ -467,7 +361,8 @@ fn a_star_on_the_line_through_the_hole_is_as_bright_as_its_disc_allows() {
     }
     // Straight overhead only the second image is on a caustic.
     let overhead = images.image(DVec3::X, 0).unwrap().magnification;
-    let beside = images.image(toward([90.0, 0.3]), 0).unwrap().magnification;
+    let beside = DVec3::new(1.0, 0.3_f64.to_radians(), 0.0).normalize();
+    let beside = images.image(beside, 0).unwrap().magnification;
     assert_close("overhead", overhead, beside, 1e-4);
     assert!(images.image(DVec3::X, 1).unwrap().magnification > 1e2);
 }

@@ -1,7 +1,7 @@
 //! What the sum of all magnifications must be.
 
 use super::run::StarRun;
-use super::{place_of, star_of};
+use super::{place_of, star_at, star_of};
 use crate::gpu;
 use crate::random::Random;
 use glam::{DMat3, DVec2, DVec3, IVec2, UVec2};
@@ -22,14 +22,6 @@ const SQUARES: UVec2 = UVec2::new(192, 108);
 
 /// How far from the line behind the hole the stars of the ring are, in radians.
 const RING: f64 = 0.2;
-
-fn star_at(direction: DVec3) -> Star {
-    Star {
-        direction: direction.normalize().as_vec3(),
-        magnitude: 0.0,
-        temperature: 6500.0,
-    }
-}
 
 /// The images of stars whose directions are those of the hole's frame.
 fn images(scene: &Scene, stars: &[Star]) -> Vec<GpuStarImage> {
