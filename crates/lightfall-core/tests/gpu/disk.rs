@@ -1,13 +1,12 @@
 //! Crossings of the disk against the f64 reference, and the rules at its edges and in its plane.
 
 use crate::light::light_from;
-use crate::{ALONG, bare_hole, edge_on, gpu, median, pixel_directions, quantile};
+use crate::{ALONG, bare_hole, edge_on, gpu, median, pixel_directions, quantile, with_truths};
 use glam::{DVec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::kernel::{table_bytes, uniform};
 use lightfall_core::gpu::{GpuDisk, GpuScene, Variant, bindings, rays};
 use lightfall_core::optics::disk::{NEWTONIAN_PEAK, PageThorne, Profile, cover};
-use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::{DiskModel, Method, Scene, SkyMode};
 use std::f64::consts::{PI, TAU};
@@ -15,18 +14,13 @@ use std::f64::consts::{PI, TAU};
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn crossings_agree_with_the_reference() {
-    let gpu = gpu();
     let errors = |step_scale| {
         let mut scene = edge_on();
         scene.quality.step_scale = step_scale;
-        let reference = Reference::new(&scene).unwrap();
         let directions = pixel_directions(&scene, 160, 90);
         let (mut r, mut phi, mut g, mut differing) = (Vec::new(), Vec::new(), Vec::new(), 0);
-        for (direction, trace) in directions
-            .iter()
-            .zip(rays::trace(gpu, &scene, &directions).unwrap())
-        {
-            for (hit, truth) in trace.hits.into_iter().zip(reference.trace(*direction).hits) {
+        for (trace, truth) in with_truths(&scene, &directions) {
+            for (hit, truth) in trace.hits.into_iter().zip(truth.hits) {
                 match (hit, truth) {
                     (Some(hit), Some(truth)) => {
                         r.push((hit.r / truth.r - 1.0).abs());
@@ -104,22 +98,15 @@ fn azimuths_of_crossings_turn_with_the_camera_and_stay_in_their_range() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn every_ray_from_above_the_pole_crosses_the_disk_as_often_as_in_the_reference() {
-    let gpu = gpu();
     // A ray straight down the axis meets the plane at the hole; every other ray from the pole
     // crosses the plane once.
     let mut scene = bare_hole(12.0);
     scene.camera.theta_deg = 0.0;
     scene.disk.enabled = true;
-    let reference = Reference::new(&scene).unwrap();
     let directions: Vec<DVec3> = (0..2000)
         .map(|i| DVec3::new(-1.0, 0.42 + 1e-4 * f64::from(i), 0.1))
         .collect();
-    for (trace, direction) in rays::trace(gpu, &scene, &directions)
-        .unwrap()
-        .iter()
-        .zip(&directions)
-    {
-        let truth = reference.trace(*direction);
+    for ((trace, truth), direction) in with_truths(&scene, &directions).zip(&directions) {
         assert_eq!(
             trace.hits.map(|hit| hit.is_some()),
             truth.hits.map(|hit| hit.is_some()),

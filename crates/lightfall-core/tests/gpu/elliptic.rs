@@ -1,20 +1,7 @@
 //! Elliptic functions of the shaders against f64.
 
-use crate::gpu;
-use crate::light::light_from;
+use crate::light::value_of_functions;
 use glam::Vec4;
-use lightfall_core::gpu::Variant;
-use lightfall_core::scene::{Method, Scene};
-
-/// The value of a WGSL expression, a `vec4<f32>`, for each `vec4<f32>` called `given` in it.
-fn values(expression: &str, given: &[Vec4]) -> Vec<Vec4> {
-    let scene = Scene {
-        method: Method::Closed,
-        ..Scene::default()
-    };
-    let source = Variant::rays(&scene).source();
-    light_from(gpu(), &source, expression, &[], given.iter().copied())
-}
 
 /// Carlson's integral as the shader finds it, against its `truth` for (x, mean, h2).
 ///
@@ -22,7 +9,7 @@ fn values(expression: &str, given: &[Vec4]) -> Vec<Vec4> {
 /// adapters' division and roots may be a few units in the last place off.
 fn assert_symmetric_integral(given: &[Vec4], truth: impl Fn(f64, f64, f64) -> f64) {
     let integral = "vec4<f32>(carlson_rf_pair(given.x, given.y, given.z))";
-    for (given, found) in given.iter().zip(values(integral, given)) {
+    for (given, found) in given.iter().zip(value_of_functions(integral, given)) {
         let [x, mean, h2, _] = given.as_dvec4().to_array();
         let truth = truth(x, mean, h2);
         assert!(
@@ -112,7 +99,7 @@ fn the_weierstrass_function_agrees_with_its_whole_series_up_to_pi() {
         // distance.
         .filter(|v| v.x < 1.2 || v.y > -0.005)
         .collect();
-    for (given, found) in given.iter().zip(values(&function, &given)) {
+    for (given, found) in given.iter().zip(value_of_functions(&function, &given)) {
         let [even, odd] = weierstrass(f64::from(given.x), f64::from(given.y));
         // Relative to the whole functions, in which the pole is the term 1: rounding, amplified by
         // the duplication. Measured: 4.5e-7.

@@ -2,14 +2,13 @@
 //! those that it is known for.
 
 use crate::light::light_from;
-use crate::{bare_hole, gpu, median, pixel_directions};
+use crate::{bare_hole, gpu, median, pixel_directions, with_truths};
 use glam::{DVec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{GpuScene, Variant, bindings, rays};
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::redshift;
-use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 
@@ -23,11 +22,8 @@ fn scene(spin: f64) -> Scene {
 
 /// Median errors of the sky (rad) and of the hits' radii, and the number of unfinished rays.
 fn errors(scene: &Scene, directions: &[DVec3]) -> (f64, f64, usize) {
-    let reference = Reference::new(scene).unwrap();
-    let found = rays::trace(gpu(), scene, directions).unwrap();
     let (mut sky, mut radius, mut unfinished) = (vec![], vec![], 0);
-    for (direction, found) in directions.iter().zip(found) {
-        let expected = reference.trace(*direction);
+    for (found, expected) in with_truths(scene, directions) {
         unfinished += usize::from(found.outcome == Outcome::Unfinished);
         if let (Some(found), Some(expected)) = (found.sky, expected.sky) {
             sky.push((found - expected).length());

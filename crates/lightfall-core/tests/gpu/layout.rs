@@ -12,6 +12,10 @@ use lightfall_core::gpu::{
 use lightfall_core::scene::{DiskStructure, HotSpotKind, Projection, Scene};
 use naga::{Module, TypeInner};
 
+fn parsed(source: String) -> Module {
+    naga::front::wgsl::parse_str(&source).unwrap()
+}
+
 /// A member's name, its offset, and the name of its type if that is a struct.
 type Member = (String, u64, Option<String>);
 
@@ -88,8 +92,7 @@ macro_rules! assert_same_layout {
 
 #[test]
 fn rust_and_wgsl_lay_out_the_scene_alike() {
-    let source = Variant::rays(&Scene::default()).source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Variant::rays(&Scene::default()).source());
     assert_same_layout!(
         &module,
         GpuScene = "Scene",
@@ -111,8 +114,7 @@ fn rust_and_wgsl_lay_out_the_scene_alike() {
 
 #[test]
 fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
-    let source = Variant::rays(&Scene::default()).source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Variant::rays(&Scene::default()).source());
     assert_same_layout!(&module, GpuHit = "Hit", GpuTrace = "Trace");
 }
 
@@ -120,8 +122,7 @@ fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
 fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
     let mut scene = Scene::default();
     scene.disk.structure = DiskStructure::Turbulent;
-    let source = Variant::picture(&scene).source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Variant::picture(&scene).source());
     let structure = GpuStructure::new(&scene, None).unwrap();
     let offsets = GpuStructure::METADATA.extra.offsets;
     assert_same_layout(&module, &structure, "Structure", &offsets);
@@ -132,18 +133,15 @@ fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
 fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
     let mut scene = Scene::default();
     scene.hot_spot.kind = HotSpotKind::Rigid;
-    let source = Variant::picture(&scene).source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Variant::picture(&scene).source());
     assert_same_layout!(&module, GpuHotSpot = "HotSpot");
 }
 
 #[test]
 fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
-    let source = Variant::stars(&Scene::default()).source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Variant::stars(&Scene::default()).source());
     assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
-    let module =
-        naga::front::wgsl::parse_str(&candidate_shader(Projection::Perspective).source()).unwrap();
+    let module = parsed(candidate_shader(Projection::Perspective).source());
     assert_same_layout!(
         &module,
         GpuStarMesh = "StarMesh",
@@ -153,21 +151,18 @@ fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
 
 #[test]
 fn rust_and_wgsl_lay_out_the_presentation_alike() {
-    let source = Presentation::shader().source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Presentation::shader().source());
     assert_same_layout!(&module, Presentation = "Presentation");
 }
 
 #[test]
 fn rust_and_wgsl_lay_out_the_mean_of_frames_alike() {
-    let source = Accumulation::shader().source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Accumulation::shader().source());
     assert_same_layout!(&module, Accumulation = "Accumulation");
 }
 
 #[test]
 fn rust_and_wgsl_lay_out_the_difference_alike() {
-    let source = Difference::shader().source();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let module = parsed(Difference::shader().source());
     assert_same_layout!(&module, Difference = "Difference");
 }

@@ -71,6 +71,9 @@ mod views;
 
 use adapter::gpu;
 use glam::DVec3;
+use lightfall_core::gpu::rays;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::{Method, Scene};
 
 /// WGSL for [`light::light_from`]: the light that comes from a direction on the observer's axes.
@@ -128,6 +131,14 @@ fn all_around(count: u32) -> Vec<DVec3> {
 /// increasing phi.
 fn direction_off_centre(alpha: f64) -> DVec3 {
     DVec3::new(-alpha.cos(), 0.0, alpha.sin())
+}
+
+/// The traces of a scene's rays, each with the reference's.
+fn with_truths(scene: &Scene, directions: &[DVec3]) -> impl Iterator<Item = (Trace, Trace)> {
+    let reference = Reference::new(scene).unwrap();
+    let found = rays::trace(gpu(), scene, directions).unwrap();
+    let truths = directions.iter().map(move |d| reference.trace(*d));
+    found.into_iter().zip(truths)
 }
 
 /// The median of numbers.

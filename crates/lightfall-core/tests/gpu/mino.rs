@@ -2,7 +2,9 @@
 //! symmetries.
 
 use crate::bisect::bisect;
-use crate::{bare_hole, direction_off_centre, gpu, median, pixel_directions, quantile};
+use crate::{
+    bare_hole, direction_off_centre, gpu, median, pixel_directions, quantile, with_truths,
+};
 use glam::DVec3;
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
@@ -145,19 +147,13 @@ fn the_shadow_has_its_size_to_five_digits() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_sky_and_the_hits_agree_with_the_reference() {
-    let gpu = gpu();
     let mut with_hits = 0;
     for (spin, r, theta) in PLACES {
         let mut scene = spinning_hole(spin, r, theta);
         scene.quality.max_error_px = 1e-4;
-        let reference = Reference::new(&scene).unwrap();
         let directions = spiral(1000);
         let (mut sky, mut radius, mut g, mut azimuth) = (vec![], vec![], vec![], vec![]);
-        for (direction, found) in directions
-            .iter()
-            .zip(rays::trace(gpu, &scene, &directions).unwrap())
-        {
-            let expected = reference.trace(*direction);
+        for (found, expected) in with_truths(&scene, &directions) {
             if let (Some(found), Some(expected)) = (found.sky, expected.sky) {
                 sky.push((found - expected).length());
             }

@@ -1,15 +1,12 @@
 //! The observer's matrix in the shader: every kind of observer sees what it sees in the reference.
 
-use crate::{all_around, bare_hole, gpu, median, quantile};
+use crate::{all_around, bare_hole, median, quantile, with_truths};
 use glam::DVec3;
-use lightfall_core::gpu::rays;
-use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{Method, ObserverKind};
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
-    let gpu = gpu();
     for (kind, velocity, theta_deg) in [
         (ObserverKind::Static, [0.0; 3], 70.0),
         (ObserverKind::Static, [0.0; 3], 0.0),
@@ -24,14 +21,9 @@ fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
         scene.disk.enabled = true;
         scene.camera.theta_deg = theta_deg;
         (scene.observer.kind, scene.observer.velocity) = (kind, velocity);
-        let reference = Reference::new(&scene).unwrap();
         let directions = all_around(2000);
         let (mut sky, mut g, mut differing) = (Vec::new(), Vec::new(), 0);
-        for (direction, trace) in directions
-            .iter()
-            .zip(rays::trace(gpu, &scene, &directions).unwrap())
-        {
-            let truth = reference.trace(*direction);
+        for (trace, truth) in with_truths(&scene, &directions) {
             differing += u32::from(trace.outcome != truth.outcome);
             sky.extend(
                 trace
@@ -67,7 +59,6 @@ fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn light_from_behind_a_fast_observer_keeps_its_digits() {
-    let gpu = gpu();
     for (method, velocity) in [
         (Method::Closed, DVec3::new(-0.9999, 0.0, 0.0)),
         (Method::Mino, DVec3::new(-0.9999, 0.0, 0.0)),
@@ -78,7 +69,6 @@ fn light_from_behind_a_fast_observer_keeps_its_digits() {
         scene.disk.enabled = true;
         scene.quality.max_error_px = 1e-4;
         (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Zamo, velocity.to_array());
-        let reference = Reference::new(&scene).unwrap();
         let behind = -velocity.normalize();
         let (across, along) = behind.any_orthonormal_pair();
         let directions: Vec<DVec3> = (0..2000)
@@ -90,11 +80,7 @@ fn light_from_behind_a_fast_observer_keeps_its_digits() {
             })
             .collect();
         let (mut differing, mut r, mut g) = (0, vec![], vec![]);
-        for (direction, trace) in directions
-            .iter()
-            .zip(rays::trace(gpu, &scene, &directions).unwrap())
-        {
-            let truth = reference.trace(*direction);
+        for (trace, truth) in with_truths(&scene, &directions) {
             differing += u32::from(trace.outcome != truth.outcome);
             for (hit, truth) in trace
                 .hits

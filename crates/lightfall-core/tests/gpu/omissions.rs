@@ -4,7 +4,7 @@ use crate::ALONG;
 use crate::light::light_from;
 use crate::{edge_on, gpu, pixel_directions};
 use glam::{DVec3, Vec4};
-use lightfall_core::gpu::kernel::uniform;
+use lightfall_core::gpu::kernel::{table_bytes, uniform};
 use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::{Method, Scene, SkyMode};
@@ -12,14 +12,9 @@ use lightfall_core::scene::{Method, Scene, SkyMode};
 /// The light from these directions on the observer's axes, by this text of the picture's shader.
 fn light(gpu: &Gpu, scene: &Scene, source: &str, directions: &[DVec3]) -> Vec<Vec4> {
     let numbers = GpuScene::for_rays(scene).unwrap();
-    let table = spectrum::table()
-        .iter()
-        .flatten()
-        .flat_map(|value| value.to_le_bytes())
-        .collect();
     let uniforms = [
         (bindings::SCENE, uniform(&numbers)),
-        (bindings::SPECTRUM, table),
+        (bindings::SPECTRUM, table_bytes(&spectrum::table())),
     ];
     let given = directions
         .iter()

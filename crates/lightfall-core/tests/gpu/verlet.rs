@@ -4,11 +4,12 @@
 
 use crate::light_without_spin::deflection;
 use crate::shadow::{outcomes, shadow_half_angle};
-use crate::{bare_hole, direction_off_centre, edge_on, gpu, median, pixel_directions, quantile};
+use crate::{
+    bare_hole, direction_off_centre, edge_on, gpu, median, pixel_directions, quantile, with_truths,
+};
 use glam::DVec3;
 use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
-use lightfall_core::gpu::{Gpu, rays};
-use lightfall_core::optics::reference::Reference;
+use lightfall_core::gpu::rays;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use lightfall_core::scene::{MAX_STEP_BUDGET, Method, Scene};
 use std::f64::consts::PI;
@@ -174,16 +175,11 @@ fn the_shadow_converges_as_steps_shrink() {
 /// Angles between traced and true sky direction, in radians, of the rays that reach the sky in
 /// both; the same of the rays farther than 1.3 times the shadow's radius from the hole's centre;
 /// and the number of outcomes that differ.
-fn sky_errors(gpu: &Gpu, scene: &Scene) -> (Vec<f64>, Vec<f64>, usize) {
+fn sky_errors(scene: &Scene) -> (Vec<f64>, Vec<f64>, usize) {
     let directions = pixel_directions(scene, 160, 90);
-    let reference = Reference::new(scene).unwrap();
     let regular = 1.3 * shadow_half_angle_static(scene.camera.r);
     let (mut all, mut outside, mut differing) = (Vec::new(), Vec::new(), 0);
-    for (direction, trace) in directions
-        .iter()
-        .zip(rays::trace(gpu, scene, &directions).unwrap())
-    {
-        let truth: Trace = reference.trace(*direction);
+    for (direction, (trace, truth)) in directions.iter().zip(with_truths(scene, &directions)) {
         differing += usize::from(truth.outcome != trace.outcome);
         let (Some(sky), Some(true_sky)) = (trace.sky, truth.sky) else {
             continue;
@@ -200,8 +196,7 @@ fn sky_errors(gpu: &Gpu, scene: &Scene) -> (Vec<f64>, Vec<f64>, usize) {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_error_of_the_sky_in_the_edge_on_view_is_that_of_the_article() {
-    let gpu = gpu();
-    let (all, outside, differing) = sky_errors(gpu, &edge_on());
+    let (all, outside, differing) = sky_errors(&edge_on());
     // 0.4e-3 to 1.2e-3 rad: a better median would mean another method.
     assert!(
         (0.4e-3..1.2e-3).contains(&median(&all)),
@@ -226,13 +221,12 @@ fn the_error_of_the_sky_in_the_edge_on_view_is_that_of_the_article() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_sky_converges_with_second_order_once_the_escape_radius_is_far() {
-    let gpu = gpu();
     let error = |step_scale| {
         let mut scene = without_budget(20.0);
         // The article's own radius leaves out 3e-4 rad.
         scene.quality.escape_radius = 3e4;
         scene.quality.step_scale = step_scale;
-        median(&sky_errors(gpu, &scene).1)
+        median(&sky_errors(&scene).1)
     };
     let (coarse, fine) = (error(0.4), error(0.2));
     assert!(

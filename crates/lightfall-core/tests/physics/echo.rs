@@ -11,8 +11,8 @@ use lightfall_core::scene::{HotSpotKind, Scene};
 use std::f64::consts::PI;
 
 /// Radius of the spot, and impact parameter and delay of its images of order 0, 1 and 2, for a
-/// camera at r = 20 on the axis of a hole without spin.
-const ON_THE_AXIS: [(f64, [[f64; 2]; 3]); 4] = [
+/// camera at r = 20 on the axis of a hole without spin. From the orbit's equation with 30 digits.
+pub const ON_THE_AXIS: [(f64, [[f64; 2]; 3]); 4] = [
     (
         3.0,
         [

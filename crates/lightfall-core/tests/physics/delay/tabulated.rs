@@ -1,6 +1,7 @@
 //! Tabulated delays.
 
 use super::{CLAIM, flat_ray, pixel_scene, through_pixel};
+use crate::echo::ON_THE_AXIS;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::optics::reference::HoleAndDisk;
@@ -104,48 +105,6 @@ const TWO_HITS: [([f64; 2], f64, [Row; 2]); 4] = [
     ),
 ];
 
-/// Camera on the axis at 20 r_s, no spin. For the ring of radius r: impact parameter and delay of
-/// its images of order 0, 1 and 2, and the differences of the delays. From the orbit's equation
-/// with 30 digits.
-const ECHO: [(f64, [[f64; 2]; 3], [f64; 2]); 4] = [
-    (
-        3.0,
-        [
-            [3.5918583758, 22.7495122186],
-            [2.72113869493, 32.7912181282],
-            [2.60326863897, 41.0700056369],
-        ],
-        [10.04170591, 8.278787509],
-    ),
-    (
-        4.5,
-        [
-            [5.10133730641, 22.5217714564],
-            [2.7848984321, 34.3722603422],
-            [2.60559636764, 42.7075499249],
-        ],
-        [11.85048889, 8.335289583],
-    ),
-    (
-        6.0,
-        [
-            [6.53460715712, 22.6058084159],
-            [2.82428696189, 35.9955240852],
-            [2.60693371648, 44.3645469171],
-        ],
-        [13.38971567, 8.369022832],
-    ),
-    (
-        10.0,
-        [
-            [9.88968510002, 23.6791126236],
-            [2.88128371731, 40.3030237618],
-            [2.60873731405, 48.719250806],
-        ],
-        [16.62391114, 8.416227044],
-    ),
-];
-
 #[track_caller]
 fn assert_hit(what: &str, found: Option<Hit>, expected: Row, tolerance: f64) {
     let hit = found.unwrap_or_else(|| panic!("{what}: no hit"));
@@ -227,7 +186,7 @@ fn image_of_ring(radius: f64, n: u32, guess: f64) -> [f64; 2] {
 
 #[test]
 fn the_images_of_a_ring_echo_each_other_with_the_tabulated_delays() {
-    for (radius, images, differences) in ECHO {
+    for (radius, images) in ON_THE_AXIS {
         let found: [[f64; 2]; 3] = std::array::from_fn(|n| {
             let [b, delay] = images[n];
             let image = image_of_ring(radius, n as u32, b);
@@ -244,15 +203,7 @@ fn the_images_of_a_ring_echo_each_other_with_the_tabulated_delays() {
             );
             image
         });
-        let [first, second] = [found[1][1] - found[0][1], found[2][1] - found[1][1]];
-        assert!(
-            (first - differences[0]).abs() < EIGHT_DECIMALS,
-            "{radius}: {first}"
-        );
-        assert!(
-            (second - differences[1]).abs() < NINE_DECIMALS,
-            "{radius}: {second}"
-        );
+        let second = found[2][1] - found[1][1];
         // One more turn about the photon sphere takes pi b_c; what is missing shrinks by e^pi with
         // each half-turn, and a little more slowly at first.
         let closer = |image: [f64; 2], n| {
