@@ -13,6 +13,7 @@ use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::Output;
 use lightfall_core::text::decode;
+use lightfall_platform::log::say;
 use lightfall_platform::storage;
 use rayon::prelude::*;
 use std::fs::File;
@@ -22,13 +23,24 @@ use std::path::Path;
 /// Reads the rays, traces them, and writes the traces to standard output.
 pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
+    let of_method = |key: &str| key == "method" || key.starts_with("quality.");
     note_unused(
         &args.scene,
         &scene,
         Output::Rays,
         |without| without,
-        |_| None,
+        |without| {
+            let mut differences = without.differences(&scene).into_iter();
+            (args.device == Device::Cpu && differences.all(|(key, _)| of_method(key)))
+                .then(|| "on the CPU the reference traces every ray".into())
+        },
     );
+    if let Some(stars) = &args.scene.stars {
+        say(format_args!(
+            "lightfall: --stars {} changes nothing: traced rays carry no light",
+            stars.display()
+        ));
+    }
     let directions = read_rays(&args.rays)?;
     let traces: Vec<Trace> = match args.device {
         Device::Cpu => {

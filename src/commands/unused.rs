@@ -3,6 +3,7 @@
 
 use super::cli::SceneArgs;
 use super::scene::scene_with;
+use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Idle, Output, Override, Scene, presets};
 use lightfall_platform::log::say;
@@ -31,8 +32,8 @@ impl Suspect {
     /// Says that the picture is the same without the option.
     pub(super) fn say_it_is_unused(&self) {
         say(format_args!(
-            "lightfall: {} changes no pixel of this picture: what it sets is hidden, out of view, or \
-             too small to be seen",
+            "lightfall: {} changes no pixel of this picture; what it sets may be hidden, out of view, too \
+             small to be seen, or without effect beside other values",
             self.option
         ));
     }
@@ -77,8 +78,12 @@ pub(super) fn note_unused(
                 ));
                 said.push(option);
             }
-            Some(_) => {}
-            None => suspects.push(Suspect { option, without }),
+            None if Drawable::new(without.clone()).is_ok() && !said.contains(&option) => {
+                said.push(option.clone());
+                suspects.push(Suspect { option, without });
+            }
+            // Without the option there is no picture, so it counts.
+            _ => {}
         }
     }
     suspects
@@ -108,8 +113,16 @@ fn without(args: &SceneArgs, overrides: &[Override], index: usize) -> Option<Sce
     scene_with(args, &others).ok()
 }
 
-/// The fields that a preset file sets and that change nothing, each with the reason.
-pub(super) fn idle_fields(scene: &Scene) -> Vec<String> {
+/// The fields that a preset file sets and that change nothing, each with the reason. A picture has none.
+pub(super) fn idle_fields_of(file: &Path, scene: &Scene) -> Vec<String> {
+    if is_in_picture(file) {
+        Vec::new()
+    } else {
+        idle_fields(scene)
+    }
+}
+
+fn idle_fields(scene: &Scene) -> Vec<String> {
     let mut idle = Vec::new();
     for (key, value) in scene.differences(&Scene::default()) {
         if !ALWAYS_GIVEN.contains(&key)
@@ -124,10 +137,20 @@ pub(super) fn idle_fields(scene: &Scene) -> Vec<String> {
     idle
 }
 
+/// Whether a preset is in a picture, which holds values that nobody chose by name.
+fn is_in_picture(preset: &Path) -> bool {
+    let extension = preset.extension().unwrap_or_default();
+    ["png", "apng", "exr"]
+        .iter()
+        .any(|picture| extension.eq_ignore_ascii_case(picture))
+}
+
 /// Says in one sentence that a user's preset sets fields that change nothing.
 pub(super) fn note_idle_preset(preset: Option<&OsStr>, scene: &Scene) {
-    let Some(preset) = preset.filter(|preset| preset.to_str().and_then(presets::find).is_none())
-    else {
+    let is_file = |preset: &&OsStr| {
+        preset.to_str().and_then(presets::find).is_none() && !is_in_picture(Path::new(preset))
+    };
+    let Some(preset) = preset.filter(is_file) else {
         return;
     };
     let idle = idle_fields(scene);

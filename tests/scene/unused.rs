@@ -50,7 +50,7 @@ fn an_option_that_changes_nothing_is_named_with_the_reason() {
         ),
         (
             "-o a.png --set probe.enabled=true",
-            "--set probe.enabled=true changes no pixel of this picture: what it sets is hidden, out of view, or too small to be seen",
+            "--set probe.enabled=true changes no pixel of this picture; what it sets may be hidden, out of view, too small to be seen, or without effect beside other values",
         ),
         (
             "-o a-#.png --frames 30..31 --set camera.r=9 --set disk.rate=9",

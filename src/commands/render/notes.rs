@@ -4,20 +4,19 @@ use super::pictures::Pictures;
 use super::with_size;
 use crate::commands::cli::RenderArgs;
 use crate::commands::unused::{Suspect, note_idle_preset, note_unused};
-use lightfall_core::scene::{Output, Picture, Scene, SkyMode, fit};
+use lightfall_core::scene::{Output, Picture, Scene, fit};
 use lightfall_picture::Format;
 use lightfall_platform::log::say;
 
 /// Warns that `--stars` has no effect here.
 pub(super) fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
-    if let Some(file) = &args.scene.stars
-        && scene.sky.mode != SkyMode::Stars
-    {
+    let idle = scene.idle("sky.ra_deg", Output::Still);
+    if let (Some(file), Some(idle)) = (&args.scene.stars, idle) {
         say(format_args!(
-            "lightfall: --stars {} is not seen, because this scene has sky.mode = {}; \
-             --set sky.mode=stars shows it",
+            "lightfall: --stars {} changes nothing: {}; --set {} shows it",
             file.display(),
-            scene.sky.mode.word()
+            idle.why,
+            idle.remedy
         ));
     }
 }

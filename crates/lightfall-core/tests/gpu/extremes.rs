@@ -7,7 +7,7 @@ use lightfall_core::accuracy::{
 };
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::scene::promises::{CLOSED_MAX, CLOSED_SPINNING_MAX};
+use lightfall_core::scene::promises::{CLOSED_MAX, CLOSED_SPINNING_MAX, MATTER_TURN};
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 use lightfall_lab::export::csv;
 use lightfall_lab::extremes::{
@@ -143,7 +143,7 @@ fn the_delays_of_hard_places_are_right_or_their_places_explain_them() {
             row.over == row.place + row.far + row.unexplained && row.over <= row.hits,
             "{row:?}"
         );
-        assert_eq!(row.over > 0, row.turn_max > 1e-3, "{row:?}");
+        assert_eq!(row.over > 0, row.turn_max > MATTER_TURN, "{row:?}");
         assert_eq!(row.unexplained, 0, "{row:?}");
     }
     assert!(

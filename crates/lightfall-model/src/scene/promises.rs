@@ -47,19 +47,19 @@ promises! {
     /// The error of every such ray, in radians, besides [`CLOSED_LINGERING`]. Random scenes reach
     /// it, next to the horizon and for observers that move fast.
     CLOSED_SPINNING_MAX = 6e-6, format!(" + {CLOSED_LINGERING:e}/(r_+ - r_-) rad"),
-        "the same of every ray, with the horizons r_+ and r_- in r_s", "promises.rs, report.rs";
+        "the same of every ray, with the horizons r_+ and r_- in r_s", "promises.rs, extremes.rs";
     /// The error of 99 of 100 rays of `mino` at its default setting, in radians.
     MINO_P99 = 4e-6, " rad", "`mino`: the turn of 99 of 100 rays", "promises.rs";
     /// The error of every ray of `mino` at its tightest setting, in radians.
     MINO_MAX = 2e-6, " rad",
-        "`mino` at its tightest setting: the turn of every ray", "promises.rs, report.rs";
+        "`mino` at its tightest setting: the turn of every ray", "promises.rs, extremes.rs";
     /// The error of a delay of `closed` for the place that the method has found, in r_s/c.
     CLOSED_DELAY = 1e-3, " r_s/c", "delay of a hit by `closed`, for the place found", "delay.rs";
     /// The same of `mino`: twice as large, from the quadrature over the method's long steps.
     MINO_DELAY = 2e-3, " r_s/c", "delay of a hit by `mino`, for the place found", "delay.rs";
     /// The turn of the disk's matter, in radians, that the error of a delay is worth.
     MATTER_TURN = 1e-3, " rad",
-        "turn of the disk's matter in the error of a delay, for the place found", "report.rs";
+        "turn of the disk's matter in the error of a delay, for the place found", "extremes.rs";
     /// The error of a star's place without spin, in pixels of 960x540.
     STAR_PLACE_PX = 1e-3, " pixels", "place of a star without spin, of 960x540", "stars/images.rs";
     /// The same for 99 of 100 images with spin.
