@@ -1,6 +1,6 @@
 //! The shaders' elementary functions against those of f64.
 
-use crate::light::value_of_functions;
+use crate::functions::value_of_functions;
 use glam::Vec4;
 
 #[test]

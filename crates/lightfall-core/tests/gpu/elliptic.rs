@@ -1,6 +1,6 @@
 //! Elliptic functions of the shaders against f64.
 
-use crate::light::value_of_functions;
+use crate::functions::value_of_functions;
 use glam::Vec4;
 
 /// Carlson's integral as the shader finds it, against its `truth` for (x, mean, h2).

@@ -1,10 +1,8 @@
 //! Values of expressions in a picture's shader.
 
-use crate::gpu;
 use glam::Vec4;
+use lightfall_core::gpu::Gpu;
 use lightfall_core::gpu::kernel::ArrayKernel;
-use lightfall_core::gpu::{Gpu, Variant};
-use lightfall_core::scene::{Method, Scene};
 
 /// The value of a WGSL expression, a `vec4<f32>`, for each `vec4<f32>` called `given` in it.
 /// `uniforms` are the bytes of the shader's uniforms, by binding.
@@ -28,14 +26,4 @@ pub fn light_from(
     kernel
         .run(gpu, &given.into_iter().collect::<Vec<_>>())
         .unwrap()
-}
-
-/// The value of such an expression of the elementary and elliptic functions.
-pub fn value_of_functions(expression: &str, given: &[Vec4]) -> Vec<Vec4> {
-    let scene = Scene {
-        method: Method::Closed,
-        ..Scene::default()
-    };
-    let source = Variant::rays(&scene).source();
-    light_from(gpu(), &source, expression, &[], given.iter().copied())
 }

@@ -25,6 +25,7 @@ mod elliptic;
 mod error_map;
 mod extremes;
 mod finite_light;
+mod functions;
 mod hot_spot;
 #[path = "../physics/hot_spot_flux.rs"]
 mod hot_spot_flux;
