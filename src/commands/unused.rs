@@ -10,14 +10,15 @@ use lightfall_platform::log::say;
 use std::ffi::OsStr;
 use std::path::Path;
 
-/// Fields that every preset has to name, whether the picture needs them or not.
-const ALWAYS_GIVEN: [&str; 6] = [
+/// Fields that every saved preset names, whether the picture needs them or not.
+const ALWAYS_GIVEN: [&str; 7] = [
     "name",
     "title",
     "picture.width",
     "picture.height",
     "picture.grid_width",
     "picture.grid_height",
+    "picture.exposure_ev",
 ];
 
 /// An option that may change something: only the pictures with and without it can tell.
