@@ -1,5 +1,5 @@
 //! The order of uniforms in the layouts of the picture and of the kernels of stars. A fault of Mesa
-//! 22.3's software renderer restricts it (src/gpu/bindings.rs).
+//! 22.3's software renderer restricts it (gpu/bindings.rs).
 
 use crate::variants::every_variant;
 use lightfall_core::gpu::stars::StarKernel;
