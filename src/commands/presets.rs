@@ -3,7 +3,7 @@
 use super::cli::{PresetsCommand, assignments};
 use super::output::print_to;
 use super::stop::Stop;
-use super::unused::idle_fields_of;
+use super::unused::idle_fields;
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::log::say;
@@ -58,7 +58,7 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
 /// Checks that a preset file can be read and its scene traced.
 fn check(file: &Path) -> Result<String, Stop> {
     let scene = storage::read_scene(file, &[])?;
-    for idle in idle_fields_of(file, &scene) {
+    for idle in idle_fields(file, &scene) {
         say(format_args!("lightfall: {}: {idle}", file.display()));
     }
     match GpuScene::for_rays(&scene) {

@@ -16,7 +16,6 @@ use super::output::print;
 use super::progress::{LongWork, progress};
 use super::scene::{scene, stars};
 use super::stop::Stop;
-use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
 use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Still, Studio};
@@ -25,15 +24,16 @@ use std::path::Path;
 
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
-    let mut scene = scene(&args.scene)?;
+    let scene = scene(&args.scene)?;
     let sequence = args
         .frames
         .map(|frames| sequence(args, frames, &scene))
         .transpose()?;
     let format = check_files(&args.out, sequence.as_ref())?;
-    if let Some(size) = args.size {
-        resize(&mut scene, size)?;
-    }
+    let scene = with_size(args, scene);
+    scene
+        .check()
+        .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
     if format == Format::Apng && sequence.is_none() {
         return Err(Stop::refused(
             "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
@@ -140,14 +140,6 @@ fn with_size(args: &RenderArgs, mut scene: Scene) -> Scene {
         scene.picture = resized(&scene.picture, size);
     }
     scene
-}
-
-/// Gives the scene's picture another size.
-fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
-    scene.picture = resized(&scene.picture, size);
-    scene
-        .check()
-        .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))
 }
 
 /// Writes a finished picture of the scene as PNG and prints the file's name.

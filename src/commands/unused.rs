@@ -3,7 +3,6 @@
 
 use super::cli::SceneArgs;
 use super::scene::scene_with;
-use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Idle, Output, Override, Scene, presets};
 use lightfall_platform::log::say;
@@ -41,8 +40,8 @@ impl Suspect {
 }
 
 /// Says which options that set fields change nothing in `scene`, which they led to, and returns the
-/// others. `finish` does to a scene what else the command line asks for. `decided` may give a further reason, such as a journey that sets the same field; it is asked
-/// with the scene as it would be without the option.
+/// others. `finish` does to a scene what else the command line asks for. `decided` may give a further
+/// reason, such as a journey that sets the same field; its argument is the scene without the option.
 pub(super) fn note_unused(
     args: &SceneArgs,
     scene: &Scene,
@@ -79,11 +78,10 @@ pub(super) fn note_unused(
                 ));
                 said.push(option);
             }
-            None if Drawable::new(without.clone()).is_ok() && !said.contains(&option) => {
+            None if !said.contains(&option) => {
                 said.push(option.clone());
                 suspects.push(Suspect { option, without });
             }
-            // Without the option there is no picture, so it counts.
             _ => {}
         }
     }
@@ -114,17 +112,13 @@ fn without(args: &SceneArgs, overrides: &[Override], index: usize) -> Option<Sce
     scene_with(args, &others).ok()
 }
 
-/// The fields that a preset file sets and that change nothing, each with the reason. A picture has none.
-pub(super) fn idle_fields_of(file: &Path, scene: &Scene) -> Vec<String> {
-    if is_in_picture(file) {
-        Vec::new()
-    } else {
-        idle_fields(scene)
-    }
-}
-
-fn idle_fields(scene: &Scene) -> Vec<String> {
+/// The fields that a preset file sets and that change nothing, each with the reason. The list of a
+/// picture is empty.
+pub(super) fn idle_fields(file: &Path, scene: &Scene) -> Vec<String> {
     let mut idle = Vec::new();
+    if is_in_picture(file) {
+        return idle;
+    }
     for (key, value) in scene.differences(&Scene::default()) {
         if !ALWAYS_GIVEN.contains(&key)
             && let Some(reason) = scene.idle_value(key, Output::Window)
@@ -148,13 +142,11 @@ fn is_in_picture(preset: &Path) -> bool {
 
 /// Says in one sentence that a user's preset sets fields that change nothing.
 pub(super) fn note_idle_preset(preset: Option<&OsStr>, scene: &Scene) {
-    let is_file = |preset: &&OsStr| {
-        preset.to_str().and_then(presets::find).is_none() && !is_in_picture(Path::new(preset))
-    };
+    let is_file = |preset: &&OsStr| preset.to_str().and_then(presets::find).is_none();
     let Some(preset) = preset.filter(is_file) else {
         return;
     };
-    let idle = idle_fields(scene);
+    let idle = idle_fields(Path::new(preset), scene);
     let name = preset.display();
     match idle.as_slice() {
         [] => {}

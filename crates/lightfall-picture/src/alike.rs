@@ -3,13 +3,15 @@
 use super::still::filled;
 use super::{PictureError, Still, Studio};
 use glam::UVec2;
+use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, resized};
 
 /// The size of the pictures that are compared first, in pixels.
 const SMALL: UVec2 = UVec2::new(160, 90);
 
 impl Studio {
-    /// Whether `other` gives the same bytes as `picture`, which `scene` gave.
+    /// Whether `other` gives the same bytes as `picture`, which `scene` gave. A scene that cannot be
+    /// drawn gives none.
     ///
     /// Small pictures of both come first: nearly always they differ, and the comparison is cheap.
     ///
@@ -21,6 +23,9 @@ impl Studio {
         scene: &Scene,
         other: &Scene,
     ) -> Result<bool, PictureError> {
+        if Drawable::new(other.clone()).is_err() {
+            return Ok(false);
+        }
         let size = UVec2::new(picture.width, picture.height);
         if size.cmpgt(SMALL).all() {
             let small = |scene: &Scene| {

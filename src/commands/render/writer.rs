@@ -50,12 +50,7 @@ impl PictureWriter {
         }
     }
 
-    pub(super) fn add_frame(
-        &mut self,
-        scene: &Scene,
-        file: &Path,
-        still: &Still,
-    ) -> Result<(), PictureError> {
+    fn add_frame(&mut self, scene: &Scene, file: &Path, still: &Still) -> Result<(), PictureError> {
         let animation = match &mut self.animation {
             Some(animation) => animation,
             none => {
@@ -67,7 +62,7 @@ impl PictureWriter {
         animation.add(still)
     }
 
-    pub(super) fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+    fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
         let light = self.studio.light()?;
         let depth = if self.channels.with_depth() {
             self.studio.depth()?

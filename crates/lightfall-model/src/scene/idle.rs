@@ -32,16 +32,19 @@ impl Scene {
     /// matters, as far as can be said without drawing.
     #[must_use]
     pub fn idle(&self, key: &str, output: Output) -> Option<Idle> {
-        let applies = |rule: &&Rule| !rule.of_value && rule.applies(self, key, output);
-        RULES.iter().find(applies).map(|rule| rule.idle)
+        let mut rules = self.rules_for(key, output);
+        rules.find(|rule| !rule.of_value).map(|rule| rule.idle)
     }
 
     /// As [`Scene::idle`], and also where another value of the field would count.
     #[must_use]
     pub fn idle_value(&self, key: &str, output: Output) -> Option<Idle> {
-        let mut rules = RULES.iter();
-        let rule = rules.find(|rule| rule.applies(self, key, output));
-        rule.map(|rule| rule.idle)
+        self.rules_for(key, output).next().map(|rule| rule.idle)
+    }
+
+    fn rules_for(&self, key: &str, output: Output) -> impl Iterator<Item = &'static Rule> {
+        let applies = move |rule: &&Rule| rule.applies(self, key, output);
+        RULES.iter().filter(applies)
     }
 
     /// Whether anything in the scene emits light: the disk, the sky or the probe.

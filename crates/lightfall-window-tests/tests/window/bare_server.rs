@@ -1,7 +1,7 @@
 //! A display that no other program uses: its server starts anew whenever its last client leaves.
 
-use crate::desktop::PROGRAM;
-use std::io::{BufRead, BufReader, Read};
+use crate::desktop::{PROGRAM, start_server};
+use std::io::Read;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use watched::STATE_FILE;
@@ -14,31 +14,14 @@ const PATIENCE: Duration = Duration::from_secs(60);
 #[test]
 #[ignore = "needs a graphics adapter and Xvfb"]
 fn the_window_opens_every_time_on_a_server_without_other_clients() {
-    let mut server = Command::new("Xvfb")
-        .args([
-            "-displayfd",
-            "1",
-            "-nolisten",
-            "tcp",
-            "-screen",
-            "0",
-            "640x480x24",
-        ])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut number = String::new();
-    BufReader::new(server.stdout.take().unwrap())
-        .read_line(&mut number)
-        .unwrap();
+    let (mut server, display) = start_server((640, 480));
     let mut failed = Vec::new();
     for start in 1..=STARTS {
         let home = tempfile::tempdir().unwrap();
         let state = home.path().join("state");
         let mut program = Command::new(PROGRAM)
             .args(["--preset", "2", "--set", "disk.enabled=false"])
-            .env("DISPLAY", format!(":{}", number.trim()))
+            .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
             .env("HOME", home.path())
             .env("XDG_CONFIG_HOME", home.path())

@@ -70,6 +70,22 @@ pub struct Desktop {
     pub window: String,
 }
 
+/// Starts an X server with a screen of this size. Returns it with the name of its display.
+pub fn start_server((width, height): (u16, u16)) -> (Child, String) {
+    let mut server = Command::new("Xvfb")
+        .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0"])
+        .arg(format!("{width}x{height}x24"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut number = String::new();
+    BufReader::new(server.stdout.take().unwrap())
+        .read_line(&mut number)
+        .unwrap();
+    (server, format!(":{}", number.trim()))
+}
+
 impl Desktop {
     /// Opens a display and the program's window on it.
     pub fn open(arguments: &[&str]) -> Self {
@@ -117,27 +133,7 @@ impl Desktop {
                 .is_ok_and(|out| out.status.success());
             assert!(found, "{tool} is missing; ./check installs it");
         }
-        let (width, height) = setup.screen;
-        let screen = format!("{width}x{height}x24");
-        let mut server = Command::new("Xvfb")
-            .args([
-                "-displayfd",
-                "1",
-                "-nolisten",
-                "tcp",
-                "-screen",
-                "0",
-                &screen,
-            ])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        let mut number = String::new();
-        BufReader::new(server.stdout.take().unwrap())
-            .read_line(&mut number)
-            .unwrap();
-        let display = format!(":{}", number.trim());
+        let (server, display) = start_server(setup.screen);
         let home = tempfile::tempdir().unwrap();
         std::fs::create_dir(home.path().join("Pictures")).unwrap();
         let config = home.path().join("config");
