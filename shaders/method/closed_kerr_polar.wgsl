@@ -1,7 +1,17 @@
-// The motion in latitude of the method closed around a spinning hole: the ray moves along a great
-// circle by Jacobi's amplitude psi, and the circle turns about the axis by -(L a^2 E^2/rho_1)
-// integral of dtau/(rho + rho_1). Both are short series in the phase, because the modulus is small.
-// The twin in f64, crates/lightfall-core/tests/physics/closed_kerr/polar.rs, gives the derivation.
+// The motion in latitude of the method closed around a spinning hole. With n = n_z, K_0 =
+// K - a^2 E^2 and the largest square m of n,
+//
+//   n'^2 = Q - K_0 n^2 - a^2 E^2 n^4 = (m - n^2) rho^2,   rho^2 = K_+ + a^2 E^2 n^2,
+//   K_+ = K_0 + a^2 E^2 m,   n = sqrt(m) sin(psi),   psi' = rho.
+//
+// So the ray moves along a great circle by Jacobi's amplitude psi, and the circle turns about the
+// axis. On the circle the azimuth changes by -(L/rho_1)/(1 - n^2) per psi, with rho_1^2 = K_+ + a^2
+// E^2, because L^2 = (1 - m) rho_1^2. The ray's azimuth changes by -(L/rho)/(1 - n^2). Since
+// rho_1^2 - rho^2 = a^2 E^2 (1 - n^2), the difference has no pole at the axis: the circle turns by
+//
+//   -(L a^2 E^2/rho_1) integral of dtau/(rho + rho_1).
+//
+// psi and this integral are short series in the phase, because the modulus is small. Derived.
 //
 // Gives: arc_after, place_after, polar_of.
 

@@ -1,5 +1,4 @@
-// The radial motion of the method closed around a spinning hole. The twin in f64 is
-// crates/lightfall-core/tests/physics/closed_kerr/radial.rs. With u = 1/r and Mino time tau,
+// The radial motion of the method closed around a spinning hole. With u = 1/r and Mino time tau,
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   u'' = u p(u),   p = p_0 + p_1 u + p_2 u^2,
 //   W = E + B u^2,   D = 1 - u + a^2 u^2,   B = a (a E - L),

@@ -89,6 +89,10 @@ fn rays_from_outside_hold_their_bound() {
         (0.99, 6.0, 60.0, 8e-7),
         (0.998, 6.0, 60.0, 1e-6),
         (0.9999, 5.0, 90.0, 1e-6),
+        // Over the pole, and around slow holes.
+        (0.7, 2.0, 0.0, 8e-7),
+        (0.1, 1.3, 20.0, 6e-7),
+        (1e-9, 50.0, 90.0, 4e-7),
     ] {
         check(&seen_from(spin, r, theta_deg, ObserverKind::Zamo), p99);
     }

@@ -9,7 +9,6 @@
 mod accuracy;
 mod apparent_hole;
 mod bisect;
-mod closed_kerr;
 mod delay;
 mod delay_error;
 mod disk;
