@@ -1,7 +1,8 @@
 //! The help: a list of every control, made from the table of controls.
 
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-use crate::app::controls::control::{Control, Group};
+use crate::app::controls::control::Control;
+use crate::app::controls::control::Group::{self, Flight, Light, Picture, Scene, View, Window};
 use crate::app::input::gamepad::Pads;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
@@ -15,40 +16,16 @@ const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look aro
 
 /// Arrangements of the headings in columns. The first one that fits the window is used.
 const COLUMNS: [&[&[Group]]; 4] = [
-    &[
-        &[Group::Flight],
-        &[Group::Light, Group::Scene],
-        &[Group::View, Group::Picture],
-        &[Group::Window],
-    ],
-    &[
-        &[Group::Flight],
-        &[Group::Light, Group::Scene, Group::View],
-        &[Group::Picture, Group::Window],
-    ],
-    &[
-        &[Group::Light, Group::Flight, Group::View],
-        &[Group::Scene, Group::Picture, Group::Window],
-    ],
+    &[&[Flight], &[Light, Scene], &[View, Picture], &[Window]],
+    &[&[Flight], &[Light, Scene, View], &[Picture, Window]],
+    &[&[Light, Flight, View], &[Scene, Picture, Window]],
     &[&Group::ALL],
 ];
 /// The same, with room for the gamepad's table below the last column.
 const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
-    &[
-        &[Group::Flight],
-        &[Group::Light, Group::Scene],
-        &[Group::View, Group::Picture],
-        &[Group::Window],
-    ],
-    &[
-        &[Group::Flight, Group::Picture],
-        &[Group::Light, Group::Scene, Group::View],
-        &[Group::Window],
-    ],
-    &[
-        &[Group::Light, Group::Flight, Group::View, Group::Window],
-        &[Group::Scene, Group::Picture],
-    ],
+    &[&[Flight], &[Light, Scene], &[View, Picture], &[Window]],
+    &[&[Flight, Picture], &[Light, Scene, View], &[Window]],
+    &[&[Light, Flight, View, Window], &[Scene, Picture]],
     &[&Group::ALL],
 ];
 /// Width of a column, in points.
@@ -73,7 +50,7 @@ pub(crate) fn plugin(app: &mut App) {
 #[must_use]
 pub fn help_rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     let mut rows = rows(bindings, |control, _| control.group == group);
-    if group == Group::Flight {
+    if group == Flight {
         rows.extend(MOUSE.map(|row| row.map(str::to_owned)));
     }
     rows
