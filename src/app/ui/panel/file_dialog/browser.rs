@@ -1,6 +1,6 @@
 //! The browser's file dialog. It hands over a file's contents, not its path.
 
-use super::picked::Picked;
+use super::Picked;
 use lightfall_platform::browser::pick_file;
 use lightfall_platform::storage::scene_of_file;
 use std::path::PathBuf;

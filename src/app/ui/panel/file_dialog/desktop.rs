@@ -1,6 +1,6 @@
 //! The desktop's file dialog. A thread of its own waits for it, so that the window goes on.
 
-use super::picked::Picked;
+use super::Picked;
 use lightfall_platform::storage::{presets_folder, read_scene};
 use std::time::{Duration, Instant};
 

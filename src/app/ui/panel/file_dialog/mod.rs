@@ -1,11 +1,54 @@
-//! The file dialog of the desktop or of the browser.
+//! The file dialog of the desktop or of the browser, whose answer comes some frames later.
 
 #[cfg(target_arch = "wasm32")]
 mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
-mod dialog;
-mod picked;
 
-pub(super) use dialog::FileDialog;
-pub(super) use picked::Picked;
+#[cfg(target_arch = "wasm32")]
+use browser::ask;
+#[cfg(not(target_arch = "wasm32"))]
+use desktop::ask;
+use lightfall_core::scene::Scene;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+/// What came of the dialog.
+#[derive(Clone)]
+pub(super) enum Picked {
+    /// The user chose this file, which holds this scene, or why it holds none. A browser says only the
+    /// file's name.
+    File(PathBuf, Box<Result<Scene, String>>),
+    /// The user chose none.
+    Nothing,
+    /// There is no file dialog.
+    NoDialog,
+}
+
+/// The dialog that is open, if one is.
+#[derive(Default)]
+pub(super) struct FileDialog(Option<Arc<OnceLock<Picked>>>);
+
+impl FileDialog {
+    /// Whether a dialog is open.
+    pub(super) fn is_open(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// Opens the dialog.
+    pub(super) fn open(&mut self) {
+        let answer = Arc::new(OnceLock::new());
+        self.0 = Some(Arc::clone(&answer));
+        // A dialog answers once.
+        ask(move |picked| {
+            answer.set(picked).ok();
+        });
+    }
+
+    /// What came of the dialog. None while it is open, or if it was never opened.
+    pub(super) fn answer(&mut self) -> Option<Picked> {
+        let picked = self.0.as_ref()?.get()?.clone();
+        self.0 = None;
+        Some(picked)
+    }
+}
