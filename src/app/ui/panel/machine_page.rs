@@ -14,8 +14,8 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
 use lightfall_core::scene::{Disk, Method, Picture, Scene, View};
 use lightfall_platform::IN_BROWSER;
+use lightfall_platform::worker::Follower;
 use lightfall_render::{Chain, DetailLimits, cost_rows};
-use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use web_time::Instant;
 
@@ -31,17 +31,14 @@ const TOPIC_WIDTH: f32 = 104.0;
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct MachinePage {
-    costs: CostReport,
+    /// The rows of the scene's cost report, after what they depend on.
+    costs: Option<(CostKey, Vec<(&'static str, String)>)>,
     /// The adapters of this machine. A thread looks for them when the page is first opened.
-    adapters: Option<Arc<OnceLock<Vec<Listed>>>>,
+    adapters: Option<Follower<(), Vec<Listed>>>,
 }
 
-/// The rows of the scene's cost report, and what they depend on.
-#[derive(Default)]
-struct CostReport {
-    rows: Vec<(&'static str, String)>,
-    made_for: Option<(Method, View, Disk, Variant, Chain, DetailLimits)>,
-}
+/// What a scene's cost report depends on.
+type CostKey = (Method, View, Disk, Variant, Chain, DetailLimits);
 
 /// Mean time of a frame, in seconds.
 #[derive(Resource, Default)]
@@ -119,7 +116,7 @@ impl MachinePage {
             .show_unindented(ui, |ui| passes(ui, machine));
         let costs = egui::CollapsingHeader::new("What this scene compiles and allocates");
         costs.show_unindented(ui, |ui| {
-            for (topic, items) in self.costs.rows(&drawn, *machine.waves) {
+            for (topic, items) in self.costs(&drawn, *machine.waves) {
                 ui.horizontal_top(|ui| {
                     let left = egui::Layout::left_to_right(egui::Align::Min);
                     ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
@@ -132,6 +129,19 @@ impl MachinePage {
         });
     }
 
+    /// The rows of a scene's cost report. They are made again only when something that they depend
+    /// on has changed.
+    fn costs(&mut self, scene: &Scene, limits: DetailLimits) -> &[(&'static str, String)] {
+        let disk = scene.without_clock().disk;
+        let (variant, chain) = (Variant::picture(scene), Chain::of(scene));
+        let wanted = (scene.method, scene.view, disk, variant, chain, limits);
+        self.costs.take_if(|(made_for, _)| *made_for != wanted);
+        let costs = self
+            .costs
+            .get_or_insert_with(|| (wanted, cost_rows(scene, limits)));
+        &costs.1
+    }
+
     /// Chooses the adapter for the next start.
     fn choose_adapter(
         &mut self,
@@ -139,21 +149,23 @@ impl MachinePage {
         machine: &Machine,
         chosen: &mut Option<AdapterName>,
     ) {
-        let list = self.adapters.get_or_insert_with(|| {
-            let list = Arc::new(OnceLock::new());
-            let found = Arc::clone(&list);
-            if IN_BROWSER {
-                // A page gets the adapter that the browser chooses.
-                found.set(Vec::new()).ok();
-            } else {
-                std::thread::spawn(move || found.set(gpu::adapters()));
-            }
-            list
+        let adapters = self.adapters.get_or_insert_with(|| {
+            // A page gets the adapter that the browser chooses.
+            let list = || {
+                if IN_BROWSER {
+                    Vec::new()
+                } else {
+                    gpu::adapters()
+                }
+            };
+            Follower::new(move |()| list())
         });
+        adapters.follow(());
+        let found = adapters.answer();
         let present = machine.adapter.as_deref().map(|info| AdapterName::of(info));
         ui.weak("From the next start on:");
         ui.radio_value(chosen, None, "the best one");
-        let listed = list.get().map_or(&[][..], Vec::as_slice);
+        let listed = found.map_or(&[][..], Vec::as_slice);
         for adapter in listed {
             let name = &adapter.name;
             let in_use = present.as_ref() == Some(name);
@@ -162,7 +174,7 @@ impl MachinePage {
                 .on_hover_text(format!("{}, {}", adapter.kind, adapter.driver));
         }
         let is_missing =
-            |name: &AdapterName| list.get().is_some() && listed.iter().all(|it| it.name != *name);
+            |name: &AdapterName| found.is_some() && listed.iter().all(|it| it.name != *name);
         if let Some(missing) = chosen.clone().filter(is_missing) {
             let text = format!("{missing}, missing");
             ui.radio_value(chosen, Some(missing), text);
@@ -215,19 +227,5 @@ fn passes(ui: &mut egui::Ui, machine: &Machine) {
         });
     if passes.is_empty() {
         ui.weak("No pass ran lately, or the adapter does not measure time.");
-    }
-}
-
-impl CostReport {
-    /// The rows for a scene. They are made again only when something that they depend on has changed.
-    fn rows(&mut self, scene: &Scene, limit: DetailLimits) -> &[(&'static str, String)] {
-        let disk = scene.without_clock().disk;
-        let (variant, chain) = (Variant::picture(scene), Chain::of(scene));
-        let wanted = (scene.method, scene.view, disk, variant, chain, limit);
-        if self.made_for != Some(wanted) {
-            self.rows = cost_rows(scene, limit);
-            self.made_for = Some(wanted);
-        }
-        &self.rows
     }
 }
