@@ -1,12 +1,13 @@
-//! What the menu's entries do.
+//! What the menu's entries are called, and what they do.
 
-use crate::app::controls::control::AppCommand;
+use crate::app::controls::control::{Action, AppCommand};
+use crate::app::controls::table::control_named;
 use crate::app::state::menu::{Menu, MenuEntry};
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::title::in_words;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::scene::presets::PRESETS;
-use std::borrow::Cow;
 
 /// The menu, and what its entries act on.
 #[derive(SystemParam)]
@@ -16,45 +17,50 @@ pub(super) struct MenuActions<'w> {
     commands: MessageWriter<'w, AppCommand>,
 }
 
-/// The control whose key an entry shows; empty for an entry without a key.
-pub(super) fn control_id(entry: MenuEntry) -> Cow<'static, str> {
-    match entry {
-        MenuEntry::Resume => "fly.escape".into(),
-        MenuEntry::Journey => "journey.again".into(),
-        MenuEntry::LetGo => "motion.let_go".into(),
-        MenuEntry::Help => "window.help".into(),
-        MenuEntry::PhotoMode => "window.hide".into(),
-        MenuEntry::FullScreen => "window.fullscreen".into(),
-        MenuEntry::Quit => "window.quit".into(),
-        MenuEntry::Place(place) => format!("preset.{}", PRESETS[place].number).into(),
-        MenuEntry::Places | MenuEntry::Settings | MenuEntry::Back => "".into(),
-    }
+/// An entry's name, and the control that does the same, whose key the entry shows. Empty for an
+/// entry without a control.
+pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
+    let words = match entry {
+        MenuEntry::Resume => ["Resume", "fly.escape"],
+        MenuEntry::Places => ["Places", ""],
+        MenuEntry::Journey => ["Guided journey", "journey.again"],
+        MenuEntry::LetGo => ["Let go: fall or orbit", "motion.let_go"],
+        MenuEntry::Help => ["Help: all keys", "window.help"],
+        MenuEntry::Settings => ["Settings", ""],
+        MenuEntry::PhotoMode => ["Photo mode", "window.hide"],
+        MenuEntry::FullScreen => ["Full screen", "window.fullscreen"],
+        MenuEntry::Quit => ["Quit", "window.quit"],
+        MenuEntry::Back => ["Back", ""],
+        MenuEntry::Place(place) => {
+            let (preset, scene) = (&PRESETS[place], PRESETS[place].plain_scene());
+            let name = format!("{}: {}", in_words(&scene.name), scene.title);
+            return [name, format!("preset.{}", preset.number)];
+        }
+    };
+    words.map(str::to_owned)
 }
 
 impl MenuActions<'_> {
     /// Does what an entry says.
     pub(super) fn choose(&mut self, entry: MenuEntry) {
-        let command = match entry {
+        match entry {
             MenuEntry::Places => return self.menu.show_places(),
             MenuEntry::Back => return self.menu.go_back(),
+            MenuEntry::Resume => {}
             MenuEntry::Place(place) => {
-                if let Some(preset) = PRESETS.get(place) {
-                    self.editor.load("", Ok(preset.plain_scene().clone()));
-                }
-                None
+                let scene = PRESETS[place].plain_scene().clone();
+                self.editor.load("", Ok(scene));
             }
-            MenuEntry::Resume => None,
-            MenuEntry::Journey => Some(AppCommand::RestartJourney),
-            MenuEntry::LetGo => Some(AppCommand::LetGo),
-            MenuEntry::Help => Some(AppCommand::Help),
-            MenuEntry::Settings => Some(AppCommand::Settings),
-            MenuEntry::PhotoMode => Some(AppCommand::Hide),
-            MenuEntry::FullScreen => Some(AppCommand::Fullscreen),
-            MenuEntry::Quit => Some(AppCommand::Quit),
-        };
-        self.menu.close();
-        if let Some(command) = command {
-            self.commands.write(command);
+            MenuEntry::Settings => {
+                self.commands.write(AppCommand::Settings);
+            }
+            _ => {
+                let [_, control] = name_and_control(entry);
+                if let Some(Action::Do(command)) = control_named(&control).map(|it| it.action) {
+                    self.commands.write(command);
+                }
+            }
         }
+        self.menu.close();
     }
 }

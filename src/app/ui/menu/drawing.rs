@@ -1,14 +1,12 @@
 //! Draws the menu, and lets the mouse operate it.
 
-use super::actions::{MenuActions, control_id};
+use super::actions::{MenuActions, name_and_control};
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::menu::{Menu, MenuEntry};
-use crate::app::state::title::in_words;
 use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 use egui::{Align2, Color32, FontId, Sense};
-use lightfall_core::scene::presets::PRESETS;
 
 /// Width of the first list and of the list of places, in points.
 const WIDTH: f32 = 300.0;
@@ -111,7 +109,11 @@ fn show_entry(
 ) -> egui::Response {
     let size = egui::vec2(ui.available_width(), height);
     let (area, response) = ui.allocate_exact_size(size, Sense::click());
-    let [name, key] = words(entry, bindings);
+    let [name, control] = name_and_control(entry);
+    let key = match entry {
+        MenuEntry::Place(_) => bindings.label(&control),
+        _ => bindings.first_label(&control),
+    };
     let painter = ui.painter();
     if selected {
         painter.rect_filled(area, 5.0, ACCENT.gamma_multiply(0.16));
@@ -135,26 +137,4 @@ fn show_entry(
     let at = inside.left_center() - egui::vec2(0.0, 0.5 * name.size().y);
     painter.galley(at, name, colour);
     response
-}
-
-/// An entry's name and its key.
-fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
-    let name = match entry {
-        MenuEntry::Resume => "Resume",
-        MenuEntry::Places => "Places",
-        MenuEntry::Journey => "Guided journey",
-        MenuEntry::LetGo => "Let go: fall or orbit",
-        MenuEntry::Help => "Help: all keys",
-        MenuEntry::Settings => "Settings",
-        MenuEntry::PhotoMode => "Photo mode",
-        MenuEntry::FullScreen => "Full screen",
-        MenuEntry::Quit => "Quit",
-        MenuEntry::Back => "Back",
-        MenuEntry::Place(place) => {
-            let scene = PRESETS[place].plain_scene();
-            let name = format!("{}: {}", in_words(&scene.name), scene.title);
-            return [name, bindings.label(&control_id(entry))];
-        }
-    };
-    [name.into(), bindings.first_label(&control_id(entry))]
 }

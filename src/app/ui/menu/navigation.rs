@@ -1,6 +1,6 @@
 //! Keyboard and gamepad in the open menu.
 
-use super::actions::{MenuActions, control_id};
+use super::actions::{MenuActions, name_and_control};
 use crate::app::controls::bindings::Bindings;
 use crate::app::input::keyboard::pressed_with_modifiers;
 use crate::app::state::menu::MenuEntry;
@@ -50,7 +50,9 @@ pub(super) fn navigate(
             _ => {
                 let control = press.and_then(|(code, modifier)| bindings.pressed(code, modifier));
                 let mut entries = actions.menu.entries().into_iter();
-                let own = |entry: &MenuEntry| control.is_some_and(|it| it.id == control_id(*entry));
+                let own = |entry: &MenuEntry| {
+                    control.is_some_and(|it| it.id == name_and_control(*entry)[1])
+                };
                 if let Some(entry) = entries.find(own) {
                     actions.choose(entry);
                 }
