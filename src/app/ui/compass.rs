@@ -5,13 +5,14 @@
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::guides::Placement;
+use crate::app::ui::screen::{MARGIN, Screen};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
+use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
-use lightfall_render::{DrawnScene, letterbox};
+use lightfall_render::DrawnScene;
 
 /// Free room between the arrow and the picture's edges, in points: left and right, and top and bottom.
 /// The arrow moves on an ellipse, which stays clear of the corners.
@@ -38,19 +39,16 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn show_compass(
-    mut contexts: EguiContexts,
+    mut screen: Screen,
     scene: Res<DrawnScene>,
     hole: Res<HoleInView>,
     overlays: Res<Overlays>,
     window: Single<&Window, With<PrimaryWindow>>,
-) -> Result {
-    let (Some(hole), false) = (hole.0, overlays.hidden || overlays.help) else {
-        return Ok(());
+) {
+    let (Some((context, room)), Some(hole), false) = (screen.room(), hole.0, overlays.help) else {
+        return;
     };
-    let context = contexts.ctx_mut()?;
-    let mut free = context.content_rect();
-    free.min.x += overlays.left_width();
-    free.max.x -= overlays.right_width();
+    let free = room.expand(MARGIN);
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);
     if hole.fills_view {
@@ -58,10 +56,9 @@ fn show_compass(
     } else if !hole.in_picture {
         draw_arrow(&painter, free, hole.direction, &hole_label(&scene));
     } else if scene.effects.lensing || scene.disk.enabled {
-        let pixels = context.pixels_per_point();
-        draw_ring(&painter, &scene, &hole, window.physical_size(), pixels);
+        let placement = Placement::new(&scene, &window, context);
+        draw_ring(&painter, &scene, &hole, &placement);
     }
-    Ok(())
 }
 
 /// Draws an arrow toward a target with this direction on the camera's axes.
@@ -69,13 +66,12 @@ fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &s
     let aside = glam::DVec2::new(target.x, -target.y);
     let behind = target.z < 0.0 && aside.length() < BEHIND;
     // No side is nearer to a target straight behind, so the arrow points down.
-    let down = glam::DVec2::Y;
     let toward = if behind {
-        down
+        Vec2::DOWN
     } else {
-        aside.normalize_or(down)
+        let toward = aside.normalize_or(glam::DVec2::Y);
+        egui::vec2(toward.x as f32, toward.y as f32)
     };
-    let toward = egui::vec2(toward.x as f32, toward.y as f32);
     let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
     let tip = free.center() + toward * axes;
     let back = -toward * ARROW;
@@ -91,17 +87,7 @@ fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &s
 }
 
 /// Draws a ring around a hole and a disk that are too small on the screen to be found.
-fn draw_ring(
-    painter: &egui::Painter,
-    scene: &Scene,
-    hole: &SeenHole,
-    window: UVec2,
-    pixels_per_point: f32,
-) {
-    if window.min_element() == 0 {
-        return;
-    }
-    let placement = Placement::new(scene, letterbox(&scene.picture, window), pixels_per_point);
+fn draw_ring(painter: &egui::Painter, scene: &Scene, hole: &SeenHole, placement: &Placement) {
     let Some(place) = placement.of_looking(hole.direction) else {
         return;
     };

@@ -2,9 +2,9 @@
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::state::end_card::EndCard;
-use crate::app::state::overlays::Overlays;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::{EguiPrimaryContextPass, egui};
 
 /// Largest width of the card, in points.
 const MAX_WIDTH: f32 = 520.0;
@@ -16,17 +16,15 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn show_end_card(
-    mut contexts: EguiContexts,
+    mut screen: Screen,
     end_card: Res<EndCard>,
-    overlays: Res<Overlays>,
     bindings: Res<Bindings>,
     pad_bindings: Res<PadBindings>,
     pads: Query<&Gamepad>,
-) -> Result {
-    if !end_card.is_open() || overlays.hidden {
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
+) {
+    let Some((context, _)) = screen.room().filter(|_| end_card.is_open()) else {
+        return;
+    };
     // The keys of a control and, with a gamepad, its buttons.
     let inputs = |id: &str| {
         let keys = match id {
@@ -76,5 +74,4 @@ fn show_end_card(
                         });
                 });
         });
-    Ok(())
 }

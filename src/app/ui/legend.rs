@@ -1,40 +1,32 @@
 //! The legend of a diagnostic view, in the upper right corner: what its colours mean.
 
-use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::{EguiPrimaryContextPass, egui};
 use lightfall_core::scene::{Scene, View};
 
 /// Name of the legend's area.
 pub(crate) const LEGEND: &str = "legend";
 /// Largest width of its texts, in points.
 const MAX_WIDTH: f32 = 250.0;
-/// Room around the legend, in points.
-const MARGIN: f32 = 12.0;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_legend);
 }
 
-fn show_legend(
-    mut contexts: EguiContexts,
-    shown: Res<ShownPicture>,
-    overlays: Res<Overlays>,
-) -> Result {
+fn show_legend(mut screen: Screen, shown: Res<ShownPicture>) {
     let scene = &shown.scene;
     let view = scene.view.properties();
-    if view.legend.is_empty() || overlays.hidden {
-        return Ok(());
-    }
+    let Some((context, room)) = screen.room().filter(|_| !view.legend.is_empty()) else {
+        return;
+    };
     egui::Area::new(LEGEND.into())
-        .anchor(
-            egui::Align2::RIGHT_TOP,
-            [-overlays.right_width() - MARGIN, MARGIN],
-        )
+        .pivot(egui::Align2::RIGHT_TOP)
+        .fixed_pos(room.right_top())
         .interactable(false)
         .order(egui::Order::Background)
-        .show(contexts.ctx_mut()?, |ui| {
+        .show(context, |ui| {
             let frame = egui::Frame::new()
                 .fill(egui::Color32::from_black_alpha(240))
                 .inner_margin(8)
@@ -59,7 +51,6 @@ fn show_legend(
                 }
             });
         });
-    Ok(())
 }
 
 /// Why the scene's view has nothing to show.

@@ -13,5 +13,6 @@ pub(crate) mod notice;
 pub(crate) mod number;
 pub(crate) mod panel;
 pub(crate) mod photo_mode;
+pub(crate) mod screen;
 pub(crate) mod star_names;
 pub(crate) mod theme;

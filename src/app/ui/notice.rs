@@ -7,8 +7,9 @@ use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::menu::Menu;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlays::Overlays;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::{EguiPrimaryContextPass, egui};
 use lightfall_render::CurrentScene;
 
 /// Sizes of the two lines, in points.
@@ -22,22 +23,22 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn show_notice(
-    mut contexts: EguiContexts,
+    mut screen: Screen,
     scene: Res<CurrentScene>,
     notice: Res<Notice>,
     hole: Res<HoleInView>,
     (end_card, menu): (Res<EndCard>, Res<Menu>),
     overlays: Res<Overlays>,
     bindings: Res<Bindings>,
-) -> Result {
-    if overlays.hidden || overlays.help || end_card.is_open() || menu.is_open() {
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    let screen = context.content_rect();
-    let across = 0.5 * (overlays.left_width() - overlays.right_width());
+) {
+    let is_covered = overlays.help || end_card.is_open() || menu.is_open();
+    let Some((context, room)) = screen.room().filter(|_| !is_covered) else {
+        return;
+    };
+    let window = context.content_rect();
+    let across = room.center().x - window.center().x;
     if let Some([title, text]) = notice.lines() {
-        let down = (NOTICE_HEIGHT - 0.5) * screen.height();
+        let down = (NOTICE_HEIGHT - 0.5) * window.height();
         draw(context, [across, down], title, text);
     } else if hole.0.is_some_and(|hole| hole.fills_view) {
         let text = way_out(is_inside(&scene), &bindings);
@@ -47,7 +48,6 @@ fn show_notice(
         let text = format!("{disk} shows the disk  ·  {sky} shows the sky");
         draw(context, [across, 0.0], "Nothing shines here", &text);
     }
-    Ok(())
 }
 
 /// The keys that lead out of a black picture.

@@ -10,7 +10,7 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Camera, Scene, SkyMode};
 use lightfall_platform::worker::Follower;
-use lightfall_render::{DrawnScene, StarCatalogue, letterbox};
+use lightfall_render::{DrawnScene, StarCatalogue};
 
 /// Largest number of stars with names.
 const MAX_NAMES: usize = 50;
@@ -95,8 +95,7 @@ fn show_star_names(
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
-    let shown = letterbox(&scene.picture, window.physical_size());
-    let placement = Placement::new(&scene, shown, context.pixels_per_point());
+    let placement = Placement::new(&scene, &window, context);
     egui::Area::new("star names".into())
         .fixed_pos(placement.picture.min)
         .interactable(false)

@@ -4,7 +4,7 @@
 use super::place::Placement;
 use super::style::{Style, label, meaning};
 use crate::app::ui::number::{in_words, round_length};
-use bevy_egui::egui::{self, Color32, RichText, Shape, Stroke, pos2, vec2};
+use bevy_egui::egui::{self, Color32, RichText, Stroke, pos2, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
@@ -102,15 +102,7 @@ fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
         let (rect, _) = ui.allocate_exact_size(vec2(28.0, 16.0), egui::Sense::hover());
         let ends = [rect.left_center(), rect.right_center()];
         let stroke = Stroke::new(style.width, style.colour);
-        match style.dashes {
-            None => {
-                ui.painter().line_segment(ends, stroke);
-            }
-            Some([dash, gap]) => {
-                ui.painter()
-                    .extend(Shape::dashed_line(&ends, stroke, dash, gap));
-            }
-        }
+        ui.painter().extend(style.dashed(&ends, stroke));
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let name = label(guide, kerr).replace(" (flat)", "");

@@ -1,8 +1,6 @@
 //! The labels of the guides: columns of names beside the hole, each joined to its line.
 
-use bevy_egui::egui::{
-    self, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2,
-};
+use bevy_egui::egui::{self, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use std::sync::Arc;
 
 /// A label, before it has a place.
@@ -30,13 +28,8 @@ struct Anchored {
     galley: Arc<Galley>,
     colour: Color32,
     anchor: Pos2,
-    top: f32,
-}
-
-impl Anchored {
-    fn size(&self) -> Vec2 {
-        self.galley.size() + 2.0 * PADDING
-    }
+    /// The label's box.
+    place: Rect,
 }
 
 /// Draws the labels within `free`, beside the figure that their lines make, and below the boxes
@@ -74,8 +67,8 @@ pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect,
     }
 }
 
-/// The label joined to the point of its line that is nearest to the label's direction. None if no
-/// point is within `free`.
+/// The label joined to the point of its line that is nearest to the label's direction, and at the
+/// height of this point. None if no point is within `free`.
 fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<Anchored> {
     let inner = free.shrink(MARGIN);
     let agreement = |point: &&Pos2| (**point - figure.center()).normalized().dot(label.toward);
@@ -86,8 +79,9 @@ fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<
         .max_by(|a, b| agreement(a).total_cmp(&agreement(b)))?;
     let galley =
         painter.layout_no_wrap(label.text.clone(), FontId::proportional(SIZE), label.colour);
+    let size = galley.size() + 2.0 * PADDING;
     Some(Anchored {
-        top: anchor.y - 0.5 * galley.size().y - PADDING.y,
+        place: Rect::from_center_size(*anchor, size),
         galley,
         colour: label.colour,
         anchor: *anchor,
@@ -98,88 +92,73 @@ fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<
 struct Column {
     labels: Vec<Anchored>,
     right: bool,
-    left_edge: f32,
-    width: f32,
 }
 
 impl Column {
-    /// A column beside the figure, with each label at the height of its line.
+    /// A column beside the figure. The edges of the labels toward the figure are aligned.
     fn new(mut labels: Vec<Anchored>, figure: Rect, free: Rect, right: bool) -> Self {
         labels.sort_by(|a, b| a.anchor.y.total_cmp(&b.anchor.y));
-        let widths = labels.iter().map(|label| label.size().x);
+        let widths = labels.iter().map(|label| label.place.width());
         let width = widths.fold(0.0, f32::max);
-        let left_edge = if right {
+        let aligned = if right {
             (figure.right() + DISTANCE).min(free.right() - MARGIN - width)
         } else {
-            (figure.left() - DISTANCE - width).max(free.left() + MARGIN)
+            (figure.left() - DISTANCE).max(free.left() + MARGIN + width)
         };
-        Self {
-            labels,
-            right,
-            left_edge,
-            width,
+        for label in &mut labels {
+            let edge = if right {
+                label.place.left()
+            } else {
+                label.place.right()
+            };
+            label.place = label.place.translate(vec2(aligned - edge, 0.0));
         }
+        Self { labels, right }
     }
 
     /// The place of all labels before they make room for each other.
     fn wanted(&self) -> Rect {
-        let mut wanted = Rect::NOTHING;
-        for index in 0..self.labels.len() {
-            wanted = wanted.union(self.place(index));
-        }
-        wanted
-    }
-
-    /// The box of a label, whose edge toward the figure is aligned with the others.
-    fn place(&self, index: usize) -> Rect {
-        let label = &self.labels[index];
-        let size = label.size();
-        let x = if self.right {
-            self.left_edge
-        } else {
-            self.left_edge + self.width - size.x
-        };
-        Rect::from_min_size(pos2(x, label.top), size)
+        let places = self.labels.iter().map(|label| label.place);
+        places.fold(Rect::NOTHING, Rect::union)
     }
 
     /// Moves the labels apart, within `free` and below the boxes `taken`.
     fn arrange(&mut self, free: Rect, taken: &[Rect]) {
-        let span =
-            Rect::from_x_y_ranges(self.left_edge..=self.left_edge + self.width, free.y_range());
+        let span = Rect::from_x_y_ranges(self.wanted().x_range(), free.y_range());
         let covering = taken.iter().filter(|taken| taken.intersects(span));
         let top = covering.map(|taken| taken.bottom() + GAP);
         let mut lowest = top.fold(free.top() + MARGIN, f32::max);
         for label in &mut self.labels {
-            label.top = label.top.max(lowest);
-            lowest = label.top + label.size().y + GAP;
+            let down = (lowest - label.place.top()).max(0.0);
+            label.place = label.place.translate(vec2(0.0, down));
+            lowest = label.place.bottom() + GAP;
         }
         // A column that would leave the picture moves up.
         let mut bottom = free.bottom() - MARGIN;
         for label in self.labels.iter_mut().rev() {
-            label.top = label.top.min(bottom - label.size().y);
-            bottom = label.top - GAP;
+            let down = (bottom - label.place.bottom()).min(0.0);
+            label.place = label.place.translate(vec2(0.0, down));
+            bottom = label.place.top() - GAP;
         }
     }
 
     fn draw(&self, painter: &Painter) {
-        for (index, label) in self.labels.iter().enumerate() {
-            let place = self.place(index);
+        for label in &self.labels {
             let joint = if self.right {
-                place.left_center()
+                label.place.left_center()
             } else {
-                place.right_center()
+                label.place.right_center()
             };
             for (extra, colour) in [(2.0, Color32::from_black_alpha(170)), (0.0, label.colour)] {
                 painter.line_segment([label.anchor, joint], Stroke::new(1.0 + extra, colour));
                 painter.circle_filled(label.anchor, 2.6 + 0.5 * extra, colour);
             }
         }
-        for (index, label) in self.labels.iter().enumerate() {
-            let place = self.place(index);
+        for label in &self.labels {
             let edge = Stroke::new(1.0, label.colour.gamma_multiply(0.45));
-            painter.rect(place, 4.0, BOX, edge, egui::StrokeKind::Inside);
-            let text = Align2::CENTER_CENTER.align_size_within_rect(label.galley.size(), place);
-            painter.galley(text.min, Arc::clone(&label.galley), label.colour);
+            painter.rect(label.place, 4.0, BOX, edge, egui::StrokeKind::Inside);
+            let text = label.place.min + PADDING;
+            painter.galley(text, Arc::clone(&label.galley), label.colour);
         }
     }
 }

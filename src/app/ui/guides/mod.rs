@@ -12,14 +12,15 @@ use crate::app::ui::legend::LEGEND;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use glam::DVec2;
 use key::{KEY, Tracing, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
+use lightfall_core::optics::guides::{Guide, quick_guides, traced_guides};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::{Scene, View};
 use lightfall_platform::worker::Follower;
-use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
+use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene};
 pub(in crate::app::ui) use place::Placement;
 use place::draw_line;
 use style::{Style, label};
@@ -91,8 +92,7 @@ fn show_guides(
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
-    let shown = letterbox(&scene.picture, window.physical_size());
-    let placement = Placement::new(&scene, shown, context.pixels_per_point());
+    let placement = Placement::new(&scene, &window, context);
     let screen = context.content_rect();
     let room = egui::Rect::from_x_y_ranges(
         screen.left() + overlays.left_width()..=screen.right() - overlays.right_width(),
@@ -101,8 +101,7 @@ fn show_guides(
     // In a comparison the guides belong to the present scene, which is on the right side.
     let divider = match compared.drawn() {
         Some((_, ComparisonLayout::SideBySide { columns })) => {
-            let share = columns as f32 / scene.picture.width.max(1) as f32;
-            Some(placement.picture.left() + share * placement.picture.width())
+            Some(placement.of_pixel(DVec2::new(columns.into(), 0.0)).x)
         }
         _ => None,
     };
@@ -205,24 +204,10 @@ impl Figure<'_> {
                     text: label(guide, self.kerr),
                     colour: style.colour,
                     points: parts.concat(),
-                    toward: toward(guide.landmark),
+                    toward: style.toward,
                 });
             }
         }
         labels
     }
-}
-
-/// The direction from the middle of the hole to the point of a guide's line that its label is joined
-/// to. These directions put the labels in the order of their lines.
-fn toward(landmark: Landmark) -> egui::Vec2 {
-    let degrees: f32 = match landmark {
-        Landmark::StableOrbit => -55.0,
-        Landmark::ShadowEdge => -28.0,
-        Landmark::Horizon => 0.0,
-        Landmark::PhotonSphere => 25.0,
-        Landmark::StableOrbitAgain => 50.0,
-        Landmark::Ergosphere => 180.0,
-    };
-    egui::Vec2::angled(degrees.to_radians())
 }

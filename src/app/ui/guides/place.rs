@@ -1,10 +1,11 @@
 //! Where directions of the camera's sky lie in the window, and lines through them.
 
 use super::style::Style;
-use bevy_egui::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use bevy::window::Window;
+use bevy_egui::egui::{self, Color32, Painter, Pos2, Rect, Stroke, pos2, vec2};
 use glam::{DMat3, DVec2, DVec3};
 use lightfall_core::scene::{Camera, Scene};
-use lightfall_render::Letterbox;
+use lightfall_render::letterbox;
 
 /// Directions whose places are more than this many picture sizes from the picture's middle are not
 /// drawn.
@@ -26,8 +27,10 @@ pub(in crate::app::ui) struct Placement {
 }
 
 impl Placement {
-    pub(in crate::app::ui) fn new(scene: &Scene, shown: Letterbox, pixels_per_point: f32) -> Self {
-        let [offset, extent] = [shown.offset, shown.extent].map(|v| v / pixels_per_point);
+    pub(in crate::app::ui) fn new(scene: &Scene, window: &Window, context: &egui::Context) -> Self {
+        let shown = letterbox(&scene.picture, window.physical_size());
+        let scale = context.pixels_per_point();
+        let [offset, extent] = [shown.offset, shown.extent].map(|v| v / scale);
         Self {
             camera: scene.camera,
             size: scene.picture.size().as_dvec2(),
@@ -44,10 +47,15 @@ impl Placement {
 
     /// As [`of`](Self::of), for a direction on the camera's axes (right, up, forward).
     pub(in crate::app::ui) fn of_looking(&self, looking: DVec3) -> Option<Pos2> {
-        let share = self.camera.pixel_of(looking, self.size)? / self.size;
-        let is_near = (share - 0.5).abs().max_element() < FARTHEST;
-        let [across, down] = share.as_vec2().to_array();
-        is_near.then(|| self.picture.min + vec2(across, down) * self.picture.size())
+        let pixel = self.camera.pixel_of(looking, self.size)?;
+        let is_near = (pixel / self.size - 0.5).abs().max_element() < FARTHEST;
+        is_near.then(|| self.of_pixel(pixel))
+    }
+
+    /// The place of a point of the scene's picture, in pixels from its upper left corner.
+    pub(in crate::app::ui) fn of_pixel(&self, pixel: DVec2) -> Pos2 {
+        let [across, down] = (pixel / self.size).as_vec2().to_array();
+        self.picture.min + vec2(across, down) * self.picture.size()
     }
 
     /// The parts of a closed curve that lie in or near the picture.
@@ -83,13 +91,6 @@ pub(super) fn draw_line(painter: &Painter, line: &[Pos2], style: Style, strength
         Stroke::new(style.width, style.colour.gamma_multiply(strength)),
     ];
     for stroke in strokes {
-        match style.dashes {
-            None => {
-                painter.add(Shape::line(line.to_vec(), stroke));
-            }
-            Some([dash, gap]) => {
-                painter.extend(Shape::dashed_line(line, stroke, dash, gap));
-            }
-        }
+        painter.extend(style.dashed(line, stroke));
     }
 }

@@ -1,7 +1,7 @@
 //! The look, the name and the meaning of each guide.
 
 use crate::app::ui::number::trimmed;
-use bevy_egui::egui::Color32;
+use bevy_egui::egui::{Color32, Pos2, Shape, Stroke, Vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, photon_shells};
 
@@ -12,7 +12,10 @@ pub(super) struct Style {
     /// Width of the line, in points.
     pub(super) width: f32,
     /// Lengths of dashes and gaps, in points. None for a solid line.
-    pub(super) dashes: Option<[f32; 2]>,
+    dashes: Option<[f32; 2]>,
+    /// The direction from the middle of the hole to the point of the line that its label is joined to.
+    /// These directions put the labels in the order of their lines.
+    pub(super) toward: Vec2,
 }
 
 const YELLOW: Color32 = Color32::from_rgb(255, 216, 92);
@@ -26,18 +29,27 @@ const FLAT: [f32; 2] = [6.0, 5.0];
 impl Style {
     /// The style of a guide. Flat guides are thin and dashed.
     pub(super) fn of(guide: &Guide) -> Self {
-        let (colour, width, dashes) = match guide.landmark {
-            Landmark::ShadowEdge => (YELLOW, 2.2, None),
-            Landmark::StableOrbit => (GREEN, 2.0, None),
-            Landmark::StableOrbitAgain => (GREEN, 1.6, Some([2.5, 4.0])),
-            Landmark::Ergosphere => (PURPLE, 2.0, Some([12.0, 4.0])),
-            Landmark::Horizon => (WHITE, 1.4, None),
-            Landmark::PhotonSphere => (YELLOW, 1.4, None),
+        let (colour, width, dashes, degrees) = match guide.landmark {
+            Landmark::ShadowEdge => (YELLOW, 2.2, None, -28_f32),
+            Landmark::StableOrbit => (GREEN, 2.0, None, -55.0),
+            Landmark::StableOrbitAgain => (GREEN, 1.6, Some([2.5, 4.0]), 50.0),
+            Landmark::Ergosphere => (PURPLE, 2.0, Some([12.0, 4.0]), 180.0),
+            Landmark::Horizon => (WHITE, 1.4, None, 0.0),
+            Landmark::PhotonSphere => (YELLOW, 1.4, None, 25.0),
         };
         Self {
             colour,
             width: if guide.flat { 1.4 } else { width },
             dashes: if guide.flat { Some(FLAT) } else { dashes },
+            toward: Vec2::angled(degrees.to_radians()),
+        }
+    }
+
+    /// A line with the style's dashes.
+    pub(super) fn dashed(&self, line: &[Pos2], stroke: Stroke) -> Vec<Shape> {
+        match self.dashes {
+            None => vec![Shape::line(line.to_vec(), stroke)],
+            Some([dash, gap]) => Shape::dashed_line(line, stroke, dash, gap),
         }
     }
 }

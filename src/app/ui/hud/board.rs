@@ -1,12 +1,9 @@
 //! A board: texts in a dark box, in which they are legible over any picture.
 
-use crate::app::state::overlays::Overlays;
 use bevy_egui::egui;
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
+use egui::{Align2, Color32, FontId, Galley, LayerId, Order, Painter, Pos2, Rect, Vec2};
 use std::sync::Arc;
 
-/// Room between the boards and the window's edges, in points.
-pub(super) const MARGIN: f32 = 12.0;
 /// Height of the read-outs with three lines. The toast and the captions are above them.
 pub(super) const BOTTOM_ROW: f32 = 76.0;
 /// Minimum free width in points for the read-outs and the key hints.
@@ -38,23 +35,25 @@ pub(super) struct Board {
 impl Board {
     /// An empty board. `strength` is its opacity, from 0 to 1.
     pub(super) fn new(context: &egui::Context, name: &'static str, strength: f32) -> Self {
-        Self::in_order(context, name, strength, egui::Order::Background)
-    }
-
-    /// An empty board above or below the panels.
-    pub(super) fn in_order(
-        context: &egui::Context,
-        name: &'static str,
-        strength: f32,
-        order: egui::Order,
-    ) -> Self {
-        let mut painter = context.layer_painter(egui::LayerId::new(order, name.into()));
+        if strength > 0.0 && strength < 1.0 {
+            // It needs another frame, so that it does not fade in steps.
+            context.request_repaint();
+        }
+        let layer = LayerId::new(Order::Background, name.into());
+        let mut painter = context.layer_painter(layer);
         painter.set_opacity(strength);
         Self {
             painter,
             texts: Vec::new(),
             size: Vec2::ZERO,
         }
+    }
+
+    /// Puts the board above the panels.
+    pub(super) fn raise(&mut self) {
+        let name = self.painter.layer_id().id;
+        let layer = LayerId::new(Order::Foreground, name);
+        self.painter.set_layer_id(layer);
     }
 
     /// Lays a text out in lines of at most `width` points.
@@ -80,16 +79,26 @@ impl Board {
         self.put(Vec2::new(0.0, self.size.y + gap), text);
     }
 
+    /// Width of its texts, in points.
+    pub(super) fn width(&self) -> f32 {
+        self.size.x
+    }
+
     /// Makes the board at least this wide, so that it keeps its width while its texts change.
     pub(super) fn widen(&mut self, width: f32) {
         self.size.x = self.size.x.max(width);
     }
 
-    /// Paints the board with its corner or edge `anchor` at the place `at`. Returns its box.
-    pub(super) fn paint(self, anchor: Align2, at: Pos2) -> Rect {
+    /// The board's box with its corner or edge `anchor` at the place `at`.
+    pub(super) fn place(&self, anchor: Align2, at: Pos2) -> Rect {
         let place = anchor.anchor_size(at, self.size + 2.0 * PADDING);
         // Whole pixels keep the letters sharp.
-        let place = place.translate(place.min.round() - place.min);
+        place.translate(place.min.round() - place.min)
+    }
+
+    /// Paints the board in the box that [`place`](Self::place) gives. Returns the box.
+    pub(super) fn paint(self, anchor: Align2, at: Pos2) -> Rect {
+        let place = self.place(anchor, at);
         if !self.texts.is_empty() {
             self.painter.rect_filled(place, CORNER_RADIUS, BOX);
         }
@@ -99,12 +108,4 @@ impl Board {
         }
         place
     }
-}
-
-/// The part of the window between the panels, less a margin.
-pub(super) fn free_room(context: &egui::Context, overlays: &Overlays) -> Rect {
-    let mut room = context.content_rect().shrink(MARGIN);
-    room.min.x += overlays.left_width();
-    room.max.x -= overlays.right_width();
-    room
 }

@@ -5,22 +5,23 @@ mod words;
 
 pub use words::differences;
 
-use super::board::{BRIGHT, Board, QUIET, TEXT, free_room};
+use super::board::{BRIGHT, Board, QUIET, TEXT};
 use super::physics_off::physics_off;
 use crate::app::controls::bindings::Bindings;
 use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
 use crate::app::state::title::Title;
+use crate::app::ui::guides::Placement;
 use crate::app::ui::legend::LEGEND;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::egui;
 use divider::show_divider;
-use egui::{Align2, Color32, Rect, pos2, vec2};
-use lightfall_render::{
-    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, DrawnScene, letterbox,
-};
+use egui::{Align2, Color32, Rect, pos2};
+use glam::DVec2;
+use lightfall_render::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, DrawnScene};
 
 /// Minimum distance of the divider from the picture's edges, as a share of its width, so that the mouse
 /// can take hold of it.
@@ -34,31 +35,21 @@ const TITLE_HEIGHT: f32 = 76.0;
 /// Height of the line that names what is switched off, in points.
 const PHYSICS_OFF_HEIGHT: f32 = 36.0;
 
-pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_comparison);
-}
-
-fn show_comparison(
-    mut contexts: EguiContexts,
+pub(super) fn show_comparison(
+    mut screen: Screen,
     window: Single<&Window, With<PrimaryWindow>>,
     scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     bindings: Res<Bindings>,
     (overlays, title, shown): (Res<Overlays>, Res<Title>, Res<ShownPicture>),
     mut comparison: ResMut<Comparison>,
-) -> Result {
-    let output = window.physical_size();
-    if overlays.hidden || comparison.0.is_none() || output.min_element() == 0 {
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    let place = letterbox(&scene.picture, output);
-    let [corner, size] = [place.offset, place.extent].map(|v| v / context.pixels_per_point());
-    let picture = Rect::from_min_size(pos2(corner.x, corner.y), vec2(size.x, size.y));
-    let room = free_room(context, &overlays);
+) {
+    let Some((context, room)) = screen.room().filter(|_| comparison.0.is_some()) else {
+        return;
+    };
     let above = if title.is_shown() {
         TITLE_HEIGHT
-    } else if physics_off(scene.effects).is_some() {
+    } else if physics_off(&scene).is_some() {
         PHYSICS_OFF_HEIGHT
     } else {
         0.0
@@ -77,8 +68,9 @@ fn show_comparison(
         ]),
         ComparedScene::Drawn(drawn) => match drawn.1 {
             ComparisonLayout::SideBySide { columns } => {
-                let share = columns as f32 / scene.picture.width.max(1) as f32;
-                let x = picture.left() + share * picture.width();
+                let placement = Placement::new(&scene, &window, context);
+                let picture = placement.picture;
+                let x = placement.of_pixel(DVec2::new(columns.into(), 0.0)).x;
                 let height = picture.intersect(context.content_rect()).y_range();
                 if room.x_range().contains(x)
                     && let Some(dragged) = show_divider(context, x, height, !overlays.inspector)
@@ -120,7 +112,6 @@ fn show_comparison(
             }
         },
     }
-    Ok(())
 }
 
 /// Puts the divider at a share of the picture's width. A divider that is held still does not count as
@@ -160,12 +151,8 @@ impl Labels<'_> {
         for setting in settings {
             board.add_line(board.text(setting, TEXT, BRIGHT, f32::INFINITY), 2.0);
         }
-        let widths = settings.iter().map(|setting| board.width_of(setting, TEXT));
-        // A board has some room inside its edges.
-        let width = widths.fold(0.0, f32::max) + 2.0 * GAP;
-        let label = anchor.anchor_size(pos2(x, self.room.top()), vec2(width, 1.0));
-        if self.room.x_range().contains(label.left()) && self.room.x_range().contains(label.right())
-        {
+        let label = board.place(anchor, pos2(x, self.room.top()));
+        if label.left() >= self.room.left() && label.right() <= self.room.right() {
             board.paint(anchor, pos2(x, self.below_legend(label)));
         }
     }

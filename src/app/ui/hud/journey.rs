@@ -1,13 +1,12 @@
 //! Shows the title, the captions and the progress of a journey.
 
-use super::board::{BOTTOM_ROW, BRIGHT, Board, MARGIN, WARNING, free_room};
-use super::presence::keep_fading;
+use super::board::{BOTTOM_ROW, BRIGHT, Board, WARNING};
 use crate::app::motion::journey_player::JourneyPlayer;
-use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
+use crate::app::ui::screen::{MARGIN, Screen};
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::egui;
 
 /// Size of captions, in points.
 const CAPTION: f32 = 20.0;
@@ -23,34 +22,26 @@ const FADE: f64 = 0.4;
 const BAR: f32 = 4.0;
 const FLOWN: egui::Color32 = WARNING;
 
-pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_journey);
-}
-
-fn show_journey(
-    mut contexts: EguiContexts,
+pub(super) fn show_journey(
+    mut screen: Screen,
     player: Res<JourneyPlayer>,
     paused: Res<Paused>,
     preferences: Res<Preferences>,
-    overlays: Res<Overlays>,
-) -> Result {
-    if !player.is_playing() || overlays.hidden {
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    let reduced_motion = preferences.settings.reduced_motion;
-    show_words(context, &player, &overlays, reduced_motion);
+) {
+    let Some((context, room)) = screen.room().filter(|_| player.is_playing()) else {
+        return;
+    };
+    show_words(context, room, &player, preferences.settings.reduced_motion);
     show_progress(context, player.share() as f32);
     if paused.0 {
-        show_pause(context, free_room(context, &overlays).center_top());
+        show_pause(context, room.center_top());
     }
-    Ok(())
 }
 
 fn show_words(
     context: &egui::Context,
+    room: egui::Rect,
     player: &JourneyPlayer,
-    overlays: &Overlays,
     reduced_motion: bool,
 ) {
     let Some(words) = player.words() else {
@@ -61,8 +52,6 @@ fn show_words(
     } else {
         (words.since.min(words.left) / FADE).clamp(0.0, 1.0) as f32
     };
-    keep_fading(context, strength);
-    let room = free_room(context, overlays);
     let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
     let mut board = Board::new(context, "journey", strength);
     let (size, anchor, y) = if words.is_title {

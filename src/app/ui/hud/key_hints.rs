@@ -1,8 +1,8 @@
 //! The most important keys, in the lower right corner. At first these are the keys that a newcomer
 //! needs. Once some have been used, only the key of the help appears, while the mouse moves.
 
-use super::board::{BRIGHT, Board, MARGIN, MIN_WIDTH, QUIET, TEXT, free_room};
-use super::presence::{Presence, keep_fading};
+use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT};
+use super::presence::Presence;
 use super::read_outs::ReadOutsWidth;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
@@ -10,10 +10,10 @@ use crate::app::input::held::HeldControls;
 use crate::app::input::typing::Typing;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
-use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
+use crate::app::ui::screen::{MARGIN, Screen};
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::egui;
 use std::collections::BTreeSet;
 
 /// Number of different controls after which the user counts as experienced.
@@ -35,8 +35,7 @@ struct Tried {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Tried>()
-        .add_systems(Update, (watch_use, name_keys_again))
-        .add_systems(EguiPrimaryContextPass, show_key_hints);
+        .add_systems(Update, (watch_use, name_keys_again));
 }
 
 /// Hides the newcomer's keys once they have been used.
@@ -129,27 +128,23 @@ const ALL_KEYS: Hint = (&["window.help"], "", "all keys", 7);
 /// The mouse, among the names of controls. It cannot be bound.
 const MOUSE: &str = "right mouse button";
 
-fn show_key_hints(
-    mut contexts: EguiContexts,
+pub(super) fn show_key_hints(
+    mut screen: Screen,
     bindings: Res<Bindings>,
-    overlays: Res<Overlays>,
     preferences: Res<Preferences>,
     presence: Res<Presence>,
     (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
     beside: Res<ReadOutsWidth>,
-) -> Result {
-    let context = contexts.ctx_mut()?;
-    let room = free_room(context, &overlays);
-    if overlays.hidden || room.width() < MIN_WIDTH {
-        return Ok(());
-    }
+) {
+    let Some((context, room)) = screen.room() else {
+        return;
+    };
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
     let strength = if named { 1.0 } else { presence.of_mouse() };
-    if strength <= 0.0 {
-        return Ok(());
+    if strength <= 0.0 || room.width() < MIN_WIDTH {
+        return;
     }
-    keep_fading(context, strength);
     let free = room.width() - beside.0 - 3.0 * MARGIN;
     let mut hints = if player.is_playing() {
         JOURNEY_KEYS.to_vec()
@@ -162,27 +157,24 @@ fn show_key_hints(
     };
     while !hints.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
-        if put_hints(&mut board, &hints, &bindings) <= free {
+        put_hints(&mut board, &hints, &bindings);
+        if board.width() <= free {
             board.paint(egui::Align2::RIGHT_BOTTOM, room.right_bottom());
             break;
         }
         let lowest = hints.iter().map(|(.., rank)| *rank).min();
         hints.retain(|(.., rank)| Some(*rank) != lowest);
     }
-    Ok(())
 }
 
-/// Puts hints into a line. Returns its width.
-fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) -> f32 {
+/// Puts hints into a line.
+fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) {
     let key = |id: &&str| match *id {
         MOUSE => MOUSE.to_owned(),
         id => bindings.first_label(id),
     };
     let mut right = 0.0;
-    for (place, (ids, between, does, _)) in hints.iter().enumerate() {
-        if place > 0 {
-            right += GAP;
-        }
+    for (ids, between, does, _) in hints {
         let keys = ids.iter().map(key).collect::<Vec<_>>().join(between);
         for (text, colour) in [(keys.as_str(), BRIGHT), (does, QUIET)] {
             let text = board.text(text, TEXT, colour, f32::INFINITY);
@@ -190,6 +182,6 @@ fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) -> f32 {
             board.put(egui::vec2(right, 0.0), text);
             right += width + SPACE;
         }
+        right += GAP;
     }
-    right - SPACE
 }

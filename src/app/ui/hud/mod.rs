@@ -20,16 +20,28 @@ pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
 
 use bevy::prelude::*;
+use bevy_egui::EguiPrimaryContextPass;
+use comparison::show_comparison;
+use journey::show_journey;
+use key_hints::show_key_hints;
+use physics_off::show_physics_off;
+use read_outs::{ReadOutsWidth, show_read_outs};
+use title::{TitleBox, show_title};
+use toast::show_toast;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_plugins((
-        presence::plugin,
-        title::plugin,
-        physics_off::plugin,
-        read_outs::plugin,
-        key_hints::plugin,
-        toast::plugin,
-        journey::plugin,
-        comparison::plugin,
-    ));
+    app.init_resource::<TitleBox>()
+        .init_resource::<ReadOutsWidth>()
+        .add_plugins((presence::plugin, key_hints::plugin))
+        .add_systems(
+            EguiPrimaryContextPass,
+            (
+                (show_title, show_physics_off).chain(),
+                show_read_outs,
+                show_key_hints,
+                show_toast,
+                show_journey,
+                show_comparison,
+            ),
+        );
 }

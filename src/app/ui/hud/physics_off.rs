@@ -1,44 +1,35 @@
 //! The line at the top that is shown while some of the physics is switched off.
 
-use super::board::{Board, MARGIN, TEXT, WARNING, free_room};
-use super::title::{TitleBox, show_title};
-use crate::app::state::overlays::Overlays;
+use super::board::{Board, TEXT, WARNING};
+use super::title::TitleBox;
+use crate::app::controls::sections::field_in_words;
+use crate::app::ui::screen::{MARGIN, Screen};
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use lightfall_core::scene::Effects;
+use bevy_egui::egui;
+use lightfall_core::scene::{FIELDS, Scene, Value};
 use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene};
-
-pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_physics_off.after(show_title));
-}
 
 /// Names the effects that are switched off, as in `Physics off: Doppler shift, beaming`. None if all are
 /// on.
 #[must_use]
-pub fn physics_off(effects: Effects) -> Option<String> {
-    let off: Vec<&str> = [
-        (effects.lensing, "lensing"),
-        (effects.doppler, "Doppler shift"),
-        (effects.beaming, "beaming"),
-        (effects.gravitational_shift, "gravitational shift"),
-        (effects.aberration, "aberration"),
-    ]
-    .into_iter()
-    .filter(|(on, _)| !on)
-    .map(|(_, name)| name)
-    .collect();
+pub fn physics_off(scene: &Scene) -> Option<String> {
+    let off: Vec<String> = FIELDS
+        .iter()
+        .filter(|field| field.key.starts_with("effects."))
+        .filter(|field| field.get(scene) == Value::Boolean(false))
+        .map(|field| field_in_words(field.key))
+        .collect();
     (!off.is_empty()).then(|| format!("Physics off: {}", off.join(", ")))
 }
 
-fn show_physics_off(
-    mut contexts: EguiContexts,
+pub(super) fn show_physics_off(
+    mut screen: Screen,
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
-    overlays: Res<Overlays>,
     title: Res<TitleBox>,
-) -> Result {
-    let Some(mut line) = physics_off(scene.effects).filter(|_| !overlays.hidden) else {
-        return Ok(());
+) {
+    let (Some(mut line), Some((context, room))) = (physics_off(&scene), screen.room()) else {
+        return;
     };
     // In a comparison of different physics, the present scene is on the right side.
     if let Some((pinned, ComparisonLayout::SideBySide { .. })) = compared.drawn()
@@ -46,17 +37,17 @@ fn show_physics_off(
     {
         line = line.replacen("Physics off", "Right side off", 1);
     }
-    let context = contexts.ctx_mut()?;
-    let room = free_room(context, &overlays);
     let mut board = Board::new(context, "physics off", 1.0);
     board.add_line(board.text(&line, TEXT, WARNING, room.width().max(1.0)), 0.0);
     // In the middle, or below a title that would overlap it.
-    let middle = room.center().x - 0.5 * board.width_of(&line, TEXT) - MARGIN;
-    if title.0.right() < middle {
-        board.paint(egui::Align2::CENTER_TOP, room.center_top());
-    } else {
-        let below = egui::pos2(room.left(), title.0.bottom() + 0.5 * MARGIN);
-        board.paint(egui::Align2::LEFT_TOP, below);
+    let middle = board.place(egui::Align2::CENTER_TOP, room.center_top());
+    match title.0.filter(|title| title.right() >= middle.left()) {
+        Some(title) => {
+            let below = egui::pos2(room.left(), title.bottom() + 0.5 * MARGIN);
+            board.paint(egui::Align2::LEFT_TOP, below);
+        }
+        None => {
+            board.paint(egui::Align2::CENTER_TOP, room.center_top());
+        }
     }
-    Ok(())
 }

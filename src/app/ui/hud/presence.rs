@@ -8,7 +8,6 @@ use crate::app::state::preferences::Preferences;
 use bevy::input::mouse::MouseWheel;
 use bevy::prelude::*;
 use bevy_egui::EguiPreUpdateSet;
-use bevy_egui::egui;
 use lightfall_render::Progress;
 use std::time::Duration;
 
@@ -60,13 +59,6 @@ impl Presence {
         } else {
             (0.5 + 0.5 * age.as_secs_f32() / FADE.as_secs_f32()).min(1.0)
         }
-    }
-}
-
-/// Asks for another frame while something fades, so that it does not fade in steps.
-pub(super) fn keep_fading(context: &egui::Context, strength: f32) {
-    if strength > 0.0 && strength < 1.0 {
-        context.request_repaint();
     }
 }
 

@@ -1,7 +1,7 @@
 //! The read-outs: the camera's place, its motion, and its flying speed.
 
-use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT, free_room};
-use super::presence::{Presence, keep_fading};
+use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT};
+use super::presence::Presence;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
@@ -10,10 +10,10 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
-use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::egui;
 use lightfall_core::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_render::DrawnScene;
@@ -43,11 +43,6 @@ impl ReadOut {
             widest,
         }
     }
-}
-
-pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<ReadOutsWidth>()
-        .add_systems(EguiPrimaryContextPass, show_read_outs);
 }
 
 /// Width of the board, which the keys beside it leave free.
@@ -108,30 +103,29 @@ fn journey(player: &JourneyPlayer, paused: bool, bindings: &Bindings) -> String 
     }
 }
 
-fn show_read_outs(
-    mut contexts: EguiContexts,
+pub(super) fn show_read_outs(
+    mut screen: Screen,
     scene: Res<DrawnScene>,
     pilot: Res<Pilot>,
     held: HeldControls,
     free_fall: Res<FreeFall>,
     (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
-    overlays: Res<Overlays>,
     bindings: Res<Bindings>,
     presence: Res<Presence>,
     mut width: ResMut<ReadOutsWidth>,
-) -> Result {
-    let context = contexts.ctx_mut()?;
-    let room = free_room(context, &overlays);
+) {
     let mut strength = presence.of_read_outs();
     // A mode that changes what the keys do is always named.
     if orbit.is_on() {
         strength = 1.0;
     }
     width.0 = 0.0;
-    if overlays.hidden || strength <= 0.0 || room.width() < MIN_WIDTH {
-        return Ok(());
+    let Some((context, room)) = screen.room() else {
+        return;
+    };
+    if strength <= 0.0 || room.width() < MIN_WIDTH {
+        return;
     }
-    keep_fading(context, strength);
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
     let mut lines = read_outs(&scene, pilot.throttle * gear);
     let moves = free_fall.is_moving() || player.is_playing();
@@ -160,7 +154,6 @@ fn show_read_outs(
     }
     let place = board.paint(egui::Align2::LEFT_BOTTOM, room.left_bottom());
     width.0 = place.width();
-    Ok(())
 }
 
 /// Puts lines of read-outs in aligned columns. If there is not enough room, the last columns are left

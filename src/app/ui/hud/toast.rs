@@ -1,23 +1,19 @@
 //! Draws the toast at the bottom of the window, above the read-outs.
 
-use super::board::{BOTTOM_ROW, BRIGHT, Board, MARGIN, MIN_WIDTH, free_room};
-use super::presence::keep_fading;
+use super::board::{BOTTOM_ROW, BRIGHT, Board, MIN_WIDTH};
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
+use crate::app::ui::screen::{MARGIN, free_room};
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::{EguiContexts, egui};
 
 /// Size of its text, in points.
 const TEXT: f32 = 15.0;
 /// Largest width of its text, in points.
 const MAX_WIDTH: f32 = 620.0;
 
-pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_toast);
-}
-
-fn show_toast(
+pub(super) fn show_toast(
     mut contexts: EguiContexts,
     toast: Res<Toast>,
     overlays: Res<Overlays>,
@@ -31,15 +27,13 @@ fn show_toast(
     if preferences.settings.reduced_motion {
         strength = strength.ceil();
     }
-    keep_fading(context, strength);
+    let mut board = Board::new(context, "toast", strength);
     // The toast is between the panels, or over them if they leave too little room.
     let mut room = free_room(context, &overlays);
-    let mut order = egui::Order::Background;
     if room.width() < MIN_WIDTH {
         room = context.content_rect().shrink(MARGIN);
-        order = egui::Order::Foreground;
+        board.raise();
     }
-    let mut board = Board::in_order(context, "toast", strength, order);
     let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
     board.add_line(board.text(toast.text(), TEXT, BRIGHT, width), 0.0);
     let bottom = (room.bottom() - BOTTOM_ROW).max(room.center().y);

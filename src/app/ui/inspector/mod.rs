@@ -14,6 +14,7 @@ use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
+use crate::app::ui::guides::Placement;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -95,12 +96,6 @@ fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
     let inside = share.min_element() >= 0.0 && share.max_element() < 1.0;
     // Rays go through the middle of pixels.
     inside.then(|| (share * size(picture)).floor() + 0.5)
-}
-
-/// The place in the window where a pixel of the picture is shown.
-fn place_of(picture: &Picture, pixel: DVec2, window: UVec2) -> Vec2 {
-    let shown = letterbox(picture, window);
-    shown.offset + shown.extent * (pixel / size(picture)).as_vec2()
 }
 
 fn size(picture: &Picture) -> DVec2 {
@@ -256,7 +251,7 @@ fn show_inspector(
             .id_salt("numbers")
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                numbers::show(ui, &first.numbers, seen, gpu);
+                numbers::show(ui, first, seen, gpu);
             });
         // Next frame the drawing makes room for them.
         let wanted = shown.inner_rect.top() - top + shown.content_size.y + 8.0;
@@ -312,11 +307,10 @@ fn mark_rays(context: &egui::Context, inspector: &Inspector, scene: &Scene, wind
     };
     let layer = egui::LayerId::new(egui::Order::Background, "inspected".into());
     let painter = context.layer_painter(layer);
-    let points = context.pixels_per_point();
+    let placement = Placement::new(scene, window, context);
     for (i, inspected) in answer.rays.iter().enumerate() {
         let pixel = DVec2::from_array(inspected.numbers.pixel.unwrap_or_default());
-        let place = place_of(&scene.picture, pixel, window.physical_size()) / points;
-        let centre = egui::pos2(place.x, place.y);
+        let centre = placement.of_pixel(pixel);
         let (radius, width) = if i == 0 { (7.0, 2.0) } else { (3.0, 1.0) };
         for (radius, colour) in [
             (radius + 1.0, egui::Color32::BLACK),

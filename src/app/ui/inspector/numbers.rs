@@ -2,10 +2,10 @@
 
 use super::ray_worker::GpuState;
 use bevy_egui::egui;
-use lightfall_core::accuracy::inspection::{Difference, Inspection};
+use lightfall_core::accuracy::inspection::{Difference, Inspected, Inspection};
 use lightfall_core::accuracy::rays::Record;
 use lightfall_core::numbers::{four_digits, short_number};
-use lightfall_core::optics::trace::Outcome;
+use lightfall_core::optics::trace::{Hit, Outcome};
 use lightfall_core::scene::Scene;
 
 /// The row that says how accurate the picture is at this pixel.
@@ -17,7 +17,8 @@ const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in
     order of the image counts the whole ones. A straight ray that comes from the sky and passes the \
     hole sweeps nearly one, so the direct image of the sky has up to 1.";
 
-pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: &GpuState) {
+pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu: &GpuState) {
+    let (numbers, trace) = (&ray.numbers, &ray.trace);
     let opaque = scene.disk.transmission == 0.0;
     egui::Grid::new("numbers")
         .num_columns(2)
@@ -75,37 +76,20 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
                 numbers.lambda.map(|lambda| measured(lambda, "r_s")),
             );
             row("eta = Q/E²", numbers.eta.map(|eta| measured(eta, "r_s²")));
-            let sky = match [cpu.sky_x, cpu.sky_y, cpu.sky_z] {
-                [Some(x), Some(y), Some(z)] => Some(format!("{x:.3} {y:.3} {z:.3}")),
-                _ => None,
-            };
+            let sky = trace
+                .sky
+                .map(|sky| format!("{:.3} {:.3} {:.3}", sky.x, sky.y, sky.z));
             row("sky direction", sky);
-            let hits = [
-                (
-                    "first",
-                    cpu.hit1_r,
-                    cpu.hit1_phi,
-                    cpu.hit1_g,
-                    numbers.hit1_temperature_k,
-                    numbers.hit1_delay,
-                ),
-                (
-                    "second",
-                    cpu.hit2_r,
-                    cpu.hit2_phi,
-                    cpu.hit2_g,
-                    numbers.hit2_temperature_k,
-                    numbers.hit2_delay,
-                ),
-            ];
-            for (which, r, phi, g, temperature, delay) in hits {
-                let place = r.zip(phi).map(|(r, phi)| {
-                    format!("r {} r_s, phi {:.1}°", four_digits(r), phi.to_degrees())
-                });
-                row(&format!("{which} disk hit"), place);
-                let light = g
-                    .zip(temperature)
-                    .map(|(g, t)| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
+            let temperatures = [numbers.hit1_temperature_k, numbers.hit2_temperature_k];
+            let hits = ["first", "second"].into_iter().zip(trace.hits);
+            for ((which, hit), temperature) in hits.zip(temperatures) {
+                let Some(Hit { r, phi, g, delay }) = hit else {
+                    continue;
+                };
+                let place = format!("r {} r_s, phi {:.1}°", four_digits(r), phi.to_degrees());
+                row(&format!("{which} disk hit"), Some(place));
+                let light = temperature
+                    .map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
                 row("   redshift", light);
                 row(
                     "   emitted",

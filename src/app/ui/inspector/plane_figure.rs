@@ -301,12 +301,11 @@ impl Figure {
             let text = format!("closest r = {} r_s", four_digits(closest.length()));
             self.label(closest, &text, colour);
         }
-        let cpu = &ray.numbers.cpu;
-        for (hit, g) in plane.hits.iter().zip([cpu.hit1_g, cpu.hit2_g]) {
-            if let (Some((_, hit)), Some(g)) = (hit, g) {
-                self.painter.circle_filled(self.point(*hit), 4.0, DISK);
-                let r = four_digits(hit.length());
-                self.label(*hit, &format!("r = {r} r_s, g = {}", four_digits(g)), DISK);
+        for (place, hit) in plane.hits.into_iter().zip(ray.trace.hits) {
+            if let (Some((_, place)), Some(hit)) = (place, hit) {
+                self.painter.circle_filled(self.point(place), 4.0, DISK);
+                let [r, g] = [place.length(), hit.g].map(four_digits);
+                self.label(place, &format!("r = {r} r_s, g = {g}"), DISK);
             }
         }
         if let (Outcome::Captured, None, Some(end)) =
