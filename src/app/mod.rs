@@ -159,14 +159,15 @@ pub fn program(start: Start) -> App {
         player.restart();
     }
     // The adapter has to be chosen before the renderer opens a device.
-    let adapter = AdapterChoice::apply(&mut preferences);
+    let (adapter, other_adapter) = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
     state::preferences::insert(&mut app, preferences);
-    if let Some(fault) = &fault {
+    let faults: Vec<String> = fault.into_iter().chain(other_adapter).collect();
+    for fault in &faults {
         // The window says it for some seconds only. The log has not begun yet.
         say(format_args!("lightfall: {fault}"));
     }
-    let messages: Vec<String> = message.into_iter().chain(fault).collect();
+    let messages: Vec<String> = message.into_iter().chain(faults).collect();
     if !messages.is_empty() {
         app.world_mut()
             .get_resource_or_init::<Toast>()
@@ -196,7 +197,6 @@ pub fn program(start: Start) -> App {
             state::hole_in_view::plugin,
             state::scene_editor::plugin,
             state::shown_picture::plugin,
-            state::preferences::plugin,
         ))
         .add_plugins((
             input::typing::plugin,
@@ -220,11 +220,7 @@ pub fn program(start: Start) -> App {
             session::quit::plugin,
             session::screenshot::plugin,
             session::clipboard::plugin,
-            (
-                session::crash_notes::plugin,
-                session::link::plugin,
-                session::shader_news::plugin,
-            ),
+            (session::crash_notes::plugin, session::shader_news::plugin),
         ))
         .add_plugins((
             motion::pilot::plugin,
@@ -251,7 +247,7 @@ pub fn program(start: Start) -> App {
             ui::compass::plugin,
         ));
     #[cfg(target_arch = "wasm32")]
-    app.add_plugins(session::page::plugin);
+    app.add_plugins((session::page::plugin, session::link::plugin));
     app
 }
 

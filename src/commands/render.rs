@@ -10,7 +10,7 @@ use self::checks::{check_files, check_memory, check_times_file};
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
 use self::times::{TIMED_FRAMES, print_times, write_times};
-use self::writer::{PictureWriter, write_png};
+use self::writer::PictureWriter;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
@@ -18,7 +18,7 @@ use super::scene::{scene, stars};
 use super::stop::Stop;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
-use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Still, Studio};
+use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Still, Studio, write_png};
 use lightfall_platform::log::say;
 use std::path::Path;
 
@@ -144,6 +144,6 @@ fn with_size(args: &RenderArgs, mut scene: Scene) -> Scene {
 
 /// Writes a finished picture of the scene as PNG and prints the file's name.
 pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
-    write_png(file, still, scene)?;
+    write_png(file, still, &scene.to_preset())?;
     print(&format!("{}\n", file.display()))
 }

@@ -25,7 +25,7 @@ mod sequences;
 mod stars;
 mod tilt;
 
-use glam::{DVec2, UVec2};
+use glam::UVec2;
 use lightfall_core::scene::{
     DiskStructure, LimbDarkening, Method, Scene, SkyMode, ToneCurve, View, presets,
 };
@@ -53,7 +53,7 @@ fn smooth(number: usize) -> Scene {
 }
 
 fn pixel(still: &Still, x: u32, y: u32) -> [u8; 3] {
-    let at = 3 * (y * still.width + x) as usize;
+    let at = 3 * (y * still.size.x + x) as usize;
     [still.rgb[at], still.rgb[at + 1], still.rgb[at + 2]]
 }
 
@@ -190,8 +190,8 @@ fn preset_2_shows_the_disk_above_and_below_the_shadow() {
 fn cells_are_constant_four_by_four_blocks_at_1920_by_1080() {
     let still = render(&preset(2), UVec2::new(1920, 1080)).unwrap();
     let mut colours = std::collections::BTreeSet::new();
-    for y in 0..still.height {
-        for x in 0..still.width {
+    for y in 0..still.size.y {
+        for x in 0..still.size.x {
             assert_eq!(
                 pixel(&still, x, y),
                 pixel(&still, x & !3, y & !3),
@@ -301,13 +301,12 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
 fn odd_sizes_are_drawn_with_bars_where_the_cells_do_not_fit() {
     let scene = preset(3);
     let still = render(&scene, UVec2::new(1000, 601)).unwrap();
-    let size = DVec2::new(f64::from(still.width), f64::from(still.height));
-    assert_eq!(size, DVec2::new(1000.0, 601.0));
+    assert_eq!(still.size, UVec2::new(1000, 601));
     // Two output pixels to a cell: 960 x 540, 20 pixels of bar on the left, 30 above.
     let bar = |x: u32, y: u32| !((20..980).contains(&x) && (30..570).contains(&y));
     let mut lit = 0;
-    for y in 0..still.height {
-        for x in 0..still.width {
+    for y in 0..still.size.y {
+        for x in 0..still.size.x {
             let black = pixel(&still, x, y) == [0; 3];
             assert!(!bar(x, y) || black, "light in the bar at {x}, {y}");
             lit += u32::from(!black);
@@ -330,7 +329,11 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     assert!(sentence("folder.png").ends_with("cannot be written: it is a folder"));
 
     // Too few bytes for its size: refused, with nothing left behind.
-    assert!(write_png(&here("short.png"), 2, 1, &[0; 3], "").is_err());
+    let still = |rgb: &[u8]| Still {
+        size: UVec2::new(2, 1),
+        rgb: rgb.to_vec(),
+    };
+    assert!(write_png(&here("short.png"), &still(&[0; 3]), "").is_err());
     check_path(&here("a.png")).unwrap();
     assert_eq!(
         std::fs::read_dir(folder.path()).unwrap().count(),
@@ -339,8 +342,8 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     );
 
     let rgb = [10, 20, 30, 40, 50, 60];
-    write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
-    write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
+    write_png(&here("a.png"), &still(&rgb), "").unwrap();
+    write_png(&here("a.png"), &still(&rgb), "").unwrap();
     assert_eq!(
         image::open(here("a.png")).unwrap().to_rgb8().into_raw(),
         rgb

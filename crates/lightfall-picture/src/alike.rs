@@ -26,8 +26,7 @@ impl Studio {
         if Drawable::new(other.clone()).is_err() {
             return Ok(false);
         }
-        let size = UVec2::new(picture.width, picture.height);
-        if size.cmpgt(SMALL).all() {
+        if picture.size.cmpgt(SMALL).all() {
             let small = |scene: &Scene| {
                 let mut small = scene.clone();
                 small.picture = resized(&scene.picture, SMALL);

@@ -2,6 +2,7 @@
 
 use super::file::PictureError;
 use super::still::Still;
+use glam::UVec2;
 use lightfall_platform::storage::{PRESET_KEY, write_atomically};
 use std::io::{self, Write};
 use std::mem;
@@ -42,13 +43,13 @@ impl Animation {
     /// The encoder refuses the size or the number of frames.
     pub fn new(
         path: &Path,
-        size: [u32; 2],
+        size: UVec2,
         (count, fps): (u32, f64),
         preset: &str,
     ) -> Result<Self, PictureError> {
         let fault = |error: png::EncodingError| encoding_fault(path, &error);
         let bytes = Bytes::default();
-        let mut encoder = png::Encoder::new(bytes.clone(), size[0], size[1]);
+        let mut encoder = png::Encoder::new(bytes.clone(), size.x, size.y);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);

@@ -1,5 +1,8 @@
 //! Picture files.
 
+use super::Still;
+use glam::UVec2;
+use lightfall_core::scene::MAX_PICTURE_SIDE;
 use lightfall_platform::storage::{WriteError, check_writable, encoded_png, write_atomically};
 use std::path::{Path, PathBuf};
 
@@ -26,16 +29,15 @@ pub enum PictureError {
         reason: String,
     },
     /// The device cannot draw a picture this large.
-    #[error("{field} = {width}x{height}: this device draws pictures of 1 to {limit} pixels a side")]
+    #[error(
+        "{field} = {}x{}: this device draws pictures of 1 to {} pixels a side",
+        .size.x, .size.y, MAX_PICTURE_SIDE
+    )]
     Size {
         /// Name of the size in the message.
         field: &'static str,
-        /// The requested width, in pixels.
-        width: u32,
-        /// The requested height, in pixels.
-        height: u32,
-        /// The maximum of both, in pixels.
-        limit: u32,
+        /// The requested width and height, in pixels.
+        size: UVec2,
     },
     /// The chain of passes failed.
     #[error("the picture could not be drawn: {0}")]
@@ -99,19 +101,14 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
     Ok(format)
 }
 
-/// Writes 8-bit RGB rows, the top one first, as a PNG that holds the preset that drew them. The
-/// file appears under its name only when it is complete.
+/// Writes a picture as a PNG that holds the preset that drew it. The file appears under its name
+/// only when it is complete.
 ///
 /// # Errors
 /// The encoding failed, or the file cannot be written.
-pub fn write_png(
-    path: &Path,
-    width: u32,
-    height: u32,
-    rgb: &[u8],
-    preset: &str,
-) -> Result<(), PictureError> {
-    let bytes = encoded_png(width, height, rgb, preset).map_err(|error| PictureError::Encode {
+pub fn write_png(path: &Path, still: &Still, preset: &str) -> Result<(), PictureError> {
+    let Still { size, rgb } = still;
+    let bytes = encoded_png(size.x, size.y, rgb, preset).map_err(|error| PictureError::Encode {
         path: path.into(),
         reason: error.to_string(),
     })?;

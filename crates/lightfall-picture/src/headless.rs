@@ -1,6 +1,6 @@
 //! The chain of passes as a Bevy app without a window.
 
-use super::PictureError;
+use super::{PictureError, Studio};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -27,7 +27,7 @@ pub(super) const MAX_UPDATES: usize = 600;
 /// Bevy's exit status after Ctrl+C.
 const INTERRUPTED: u8 = 130;
 
-/// What a [`Studio`](super::Studio) does in addition to drawing.
+/// What a [`Studio`] does in addition to drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct HeadlessOptions {
     /// Measure the GPU time of each pass.
@@ -48,11 +48,7 @@ impl Default for HeadlessOptions {
     }
 }
 
-/// The image that the last pass writes.
-#[derive(Resource)]
-pub(super) struct Output(pub(super) Handle<Image>);
-
-/// An app that is ready to draw a first scene, with an output of `size` pixels.
+/// An app that is ready to draw a first scene, and its output of `size` pixels.
 ///
 /// # Errors
 /// The size is too large, or the scene cannot be drawn.
@@ -60,7 +56,7 @@ pub(super) fn headless(
     scene: &Scene,
     size: UVec2,
     options: HeadlessOptions,
-) -> Result<App, PictureError> {
+) -> Result<(App, Handle<Image>), PictureError> {
     let mut app = App::new();
     app.add_plugins(
         DefaultPlugins
@@ -99,16 +95,15 @@ pub(super) fn headless(
     if options.light {
         app.init_resource::<Capture>();
     }
-    app.insert_resource(Output(output.clone()))
-        .insert_resource(AwaitErrorMap(true))
+    app.insert_resource(AwaitErrorMap(true))
         .insert_resource(StarCatalogue(options.stars))
         .add_plugins(LightfallRenderPlugin {
             scene,
-            target: RenderTarget::Image(output.into()),
+            target: RenderTarget::Image(output.clone().into()),
         });
     app.finish();
     app.cleanup();
-    Ok(app)
+    Ok((app, output))
 }
 
 /// The checked scene, with the exposure that its light meter chooses where it is automatic.
@@ -126,55 +121,54 @@ pub(super) fn drawable(scene: &Scene) -> Result<Drawable, PictureError> {
 /// # Errors
 /// A side is zero, or longer than the passes can draw on every device.
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
-    let limit = MAX_PICTURE_SIDE;
-    if size.min_element() == 0 || size.max_element() > limit {
-        return Err(PictureError::Size {
-            field,
-            width: size.x,
-            height: size.y,
-            limit,
-        });
+    if size.min_element() == 0 || size.max_element() > MAX_PICTURE_SIDE {
+        return Err(PictureError::Size { field, size });
     }
     Ok(())
 }
 
-/// Draws a frame and waits until the device is done.
-pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
-    app.update();
-    match app.should_exit() {
-        None | Some(AppExit::Success) => {}
-        Some(AppExit::Error(code)) if code.get() == INTERRUPTED => {
-            return Err(PictureError::Interrupted);
+impl Studio {
+    /// Draws a frame and waits until the device is done.
+    pub(super) fn update(&mut self) -> Result<(), PictureError> {
+        self.app.update();
+        match self.app.should_exit() {
+            None | Some(AppExit::Success) => {}
+            Some(AppExit::Error(code)) if code.get() == INTERRUPTED => {
+                return Err(PictureError::Interrupted);
+            }
+            Some(AppExit::Error(_)) => {
+                return Err(PictureError::Draw(format!(
+                    "the graphics device reported an error, which the log names: {}, or choose another adapter with --gpu",
+                    driver_advice::with_old_driver(OS)
+                )));
+            }
         }
-        Some(AppExit::Error(_)) => {
-            return Err(PictureError::Draw(format!(
-                "the graphics device reported an error, which the log names: {}, or choose another adapter with --gpu",
-                driver_advice::with_old_driver(OS)
-            )));
+        if let Some(device) = self.app.world().get_resource::<RenderDevice>() {
+            let waited = device.poll(PollType::Wait {
+                submission_index: None,
+                timeout: None,
+            });
+            waited.map_err(|error| PictureError::Draw(error.to_string()))?;
         }
+        Ok(())
     }
-    if let Some(device) = app.world().get_resource::<RenderDevice>() {
-        let waited = device.poll(PollType::Wait {
-            submission_index: None,
-            timeout: None,
-        });
-        waited.map_err(|error| PictureError::Draw(error.to_string()))?;
-    }
-    Ok(())
-}
 
-/// Draws frames until the scene is completely drawn.
-pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
-    let (mut waited, mut progress) = (0, Progress::default());
-    while waited < MAX_UPDATES {
-        update(app)?;
-        if is_drawn(app).map_err(PictureError::Draw)? {
-            return Ok(());
+    /// Draws frames until the scene is completely drawn.
+    ///
+    /// # Errors
+    /// Drawing failed.
+    pub fn settle(&mut self) -> Result<(), PictureError> {
+        let (mut waited, mut progress) = (0, Progress::default());
+        while waited < MAX_UPDATES {
+            self.update()?;
+            if is_drawn(&self.app).map_err(PictureError::Draw)? {
+                return Ok(());
+            }
+            // Every frame of a mean may take as long as a picture of one.
+            let now = *self.app.world().resource::<Progress>();
+            waited = if now == progress { waited + 1 } else { 0 };
+            progress = now;
         }
-        // Every frame of a mean may take as long as a picture of one.
-        let now = *app.world().resource::<Progress>();
-        waited = if now == progress { waited + 1 } else { 0 };
-        progress = now;
+        Err(PictureError::Draw("its passes did not become ready".into()))
     }
-    Err(PictureError::Draw("its passes did not become ready".into()))
 }

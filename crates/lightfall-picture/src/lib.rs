@@ -19,6 +19,6 @@ pub use channels::{CHANNELS, Channel, Channels, PixelRays};
 pub use file::{Format, PictureError, check_path, write_png};
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{ChannelNames, Linear, write_exr};
-pub use pass_time::{PassTime, render_timed};
+pub use pass_time::PassTime;
 pub use sequence::{Frames, Sequence, frame_rate};
 pub use still::{Still, Studio, filled, render, render_with};

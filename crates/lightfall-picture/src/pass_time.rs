@@ -1,8 +1,7 @@
 //! The GPU time of each pass.
 
 use super::PictureError;
-use super::headless::update;
-use super::still::{Still, Studio};
+use super::still::Studio;
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::prelude::*;
 use lightfall_core::scene::Scene;
@@ -31,12 +30,12 @@ impl Studio {
     /// Drawing failed.
     pub fn time(&mut self, frames: usize) -> Result<Vec<PassTime>, PictureError> {
         self.app.world_mut().resource_mut::<AlwaysDraw>().0 = true;
-        if !medians(&mut self.app, 1)?.is_empty() {
-            raise_clock(&mut self.app)?;
+        if !self.medians(1)?.is_empty() {
+            self.raise_clock()?;
         }
-        let drawn = medians(&mut self.app, frames)?;
+        let drawn = self.medians(frames)?;
         self.app.world_mut().resource_mut::<AlwaysDraw>().0 = false;
-        let kept = medians(&mut self.app, frames)?;
+        let kept = self.medians(frames)?;
         let times = drawn.into_iter().map(|(pass, median_ms)| {
             let kept_ms = kept.get(&pass).copied().unwrap_or_default();
             PassTime {
@@ -57,28 +56,47 @@ impl Studio {
     pub fn passes_to_show(&mut self, scene: &Scene) -> Result<Vec<String>, PictureError> {
         // Measurements of earlier frames arrive before.
         self.settle()?;
-        medians(&mut self.app, 0)?;
+        self.medians(0)?;
         let begin = Instant::now();
         self.show(scene)?;
         self.settle()?;
-        medians(&mut self.app, 0)?;
+        self.medians(0)?;
         Ok(fresh_measurements(&self.app, begin)
             .map(|(pass, _)| pass.to_owned())
             .collect())
     }
-}
 
-/// Like [`render`](super::render), with the GPU time of each pass, see [`Studio::time`].
-///
-/// # Errors
-/// As [`render`](super::render).
-pub fn render_timed(
-    scene: &Scene,
-    size: UVec2,
-    frames: usize,
-) -> Result<(Still, Vec<PassTime>), PictureError> {
-    let mut studio = Studio::open(scene, size)?;
-    Ok((studio.picture()?, studio.time(frames)?))
+    /// Draws frames until the graphics card works at the clock of a running game.
+    fn raise_clock(&mut self) -> Result<(), PictureError> {
+        let begin = Instant::now();
+        while begin.elapsed() < WORK_BEFORE_TIMING {
+            self.update()?;
+        }
+        Ok(())
+    }
+
+    /// Median GPU time of each pass that runs in the next frames, in milliseconds.
+    fn medians(&mut self, frames: usize) -> Result<BTreeMap<String, f64>, PictureError> {
+        for _ in 0..MEASUREMENT_DELAY {
+            self.update()?;
+        }
+        let mut samples: BTreeMap<String, Vec<f64>> = default();
+        for _ in 0..frames {
+            let begin = Instant::now();
+            self.update()?;
+            for (pass, time) in fresh_measurements(&self.app, begin) {
+                samples.entry(pass.into()).or_default().push(time);
+            }
+        }
+        let median = |mut values: Vec<f64>| {
+            values.sort_by(f64::total_cmp);
+            values[values.len() / 2]
+        };
+        Ok(samples
+            .into_iter()
+            .map(|(pass, values)| (pass, median(values)))
+            .collect())
+    }
 }
 
 /// Number of frames until the device's measurements arrive.
@@ -88,38 +106,6 @@ const MEASUREMENT_DELAY: usize = 6;
 /// it waits for the compilation of shaders, by up to a factor of four, and raises it again within a
 /// second of work.
 const WORK_BEFORE_TIMING: Duration = Duration::from_secs(2);
-
-/// Draws frames until the graphics card works at the clock of a running game.
-fn raise_clock(app: &mut App) -> Result<(), PictureError> {
-    let begin = Instant::now();
-    while begin.elapsed() < WORK_BEFORE_TIMING {
-        update(app)?;
-    }
-    Ok(())
-}
-
-/// Median GPU time of each pass that runs in the next frames, in milliseconds.
-fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, PictureError> {
-    for _ in 0..MEASUREMENT_DELAY {
-        update(app)?;
-    }
-    let mut samples: BTreeMap<String, Vec<f64>> = default();
-    for _ in 0..frames {
-        let begin = Instant::now();
-        update(app)?;
-        for (pass, time) in fresh_measurements(app, begin) {
-            samples.entry(pass.into()).or_default().push(time);
-        }
-    }
-    let median = |mut values: Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
-    };
-    Ok(samples
-        .into_iter()
-        .map(|(pass, values)| (pass, median(values)))
-        .collect())
-}
 
 /// The passes whose GPU time has arrived since `begin`, and the latest time of each, in milliseconds.
 fn fresh_measurements(app: &App, begin: Instant) -> impl Iterator<Item = (&str, f64)> {

@@ -1,31 +1,47 @@
 //! Single pictures of scenes, drawn by the window's chain of passes without a window.
 
 use super::PictureError;
-use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
+use super::headless::{HeadlessOptions, MAX_UPDATES, drawable, headless};
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
 use lightfall_core::scene::{Frame, Scene, fit};
 use lightfall_render::{
     Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
-    ROW_ALIGNMENT,
 };
 
 /// A finished picture.
 pub struct Still {
-    /// Width, in pixels.
-    pub width: u32,
-    /// Height, in pixels.
-    pub height: u32,
+    /// Width and height, in pixels.
+    pub size: UVec2,
     /// 8-bit sRGB, rows from the top, three bytes per pixel.
     pub rgb: Vec<u8>,
+}
+
+impl Still {
+    /// Removes the padding of rows and the alpha channel.
+    fn from_rgba(size: UVec2, bytes: &[u8]) -> Self {
+        let row = size.x as usize * 4;
+        let rgb = bytes
+            .chunks(RenderDevice::align_copy_bytes_per_row(row))
+            .flat_map(|line| line[..row].chunks_exact(4))
+            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+            .collect();
+        Self { size, rgb }
+    }
 }
 
 /// Draws one scene after another at one output size, without a window.
 pub struct Studio {
     pub(super) app: App,
+    /// The image that the last pass writes, and its size.
+    output: Handle<Image>,
     size: UVec2,
 }
+
+/// The bytes that were read back.
+#[derive(Resource, Default)]
+struct Finished(Option<Vec<u8>>);
 
 impl Studio {
     /// Opens a device and draws a first scene. The studio can time passes.
@@ -52,9 +68,9 @@ impl Studio {
         size: UVec2,
         options: HeadlessOptions,
     ) -> Result<Self, PictureError> {
-        let mut app = headless(scene, size, options)?;
+        let (mut app, output) = headless(scene, size, options)?;
         app.init_resource::<Finished>();
-        let mut studio = Self { app, size };
+        let mut studio = Self { app, output, size };
         studio.settle()?;
         Ok(studio)
     }
@@ -83,20 +99,31 @@ impl Studio {
             with.map(|(scene, mode)| (Pinned::new(scene), mode));
     }
 
-    /// Draws frames until the scene is completely drawn.
-    ///
-    /// # Errors
-    /// Drawing failed.
-    pub fn settle(&mut self) -> Result<(), PictureError> {
-        warm_up(&mut self.app)
-    }
-
     /// The picture of the next frame.
     ///
     /// # Errors
     /// Drawing failed.
     pub fn picture(&mut self) -> Result<Still, PictureError> {
-        read_back(&mut self.app, self.size)
+        let world = self.app.world_mut();
+        let reader = world
+            .spawn(Readback::texture(self.output.clone()))
+            .observe(
+                |complete: On<ReadbackComplete>, mut finished: ResMut<Finished>| {
+                    finished.0 = Some(complete.data.clone());
+                },
+            )
+            .id();
+        for _ in 0..MAX_UPDATES {
+            self.update()?;
+            let world = self.app.world_mut();
+            if let Some(bytes) = world.resource_mut::<Finished>().0.take() {
+                world.despawn(reader);
+                return Ok(Still::from_rgba(self.size, &bytes));
+            }
+        }
+        Err(PictureError::Draw(
+            "it did not arrive from the graphics device".into(),
+        ))
     }
 
     /// The linear light of the current scene, before bloom, exposure and tone mapping. The studio
@@ -125,11 +152,8 @@ impl Studio {
     pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
         let scene = self.scene().clone();
         if !scene.probe.enabled {
-            return Ok(vec![
-                f32::INFINITY;
-                scene.picture.width as usize
-                    * scene.picture.height as usize
-            ]);
+            let pixels = scene.picture.size().as_usizevec2().element_product();
+            return Ok(vec![f32::INFINITY; pixels]);
         }
         // A pixel with several samples has several depths, which cannot be copied. The scene is
         // drawn again with one sample.
@@ -174,51 +198,4 @@ pub fn render_with(
     options: HeadlessOptions,
 ) -> Result<Still, PictureError> {
     Studio::with_options(scene, size, options)?.picture()
-}
-
-#[derive(Resource, Default)]
-struct Finished(Option<Vec<u8>>);
-
-fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
-    let output = app.world().resource::<Output>().0.clone();
-    let reader = app
-        .world_mut()
-        .spawn(Readback::texture(output))
-        .observe(
-            |complete: On<ReadbackComplete>, mut finished: ResMut<Finished>| {
-                finished.0 = Some(complete.data.clone());
-            },
-        )
-        .id();
-    for _ in 0..MAX_UPDATES {
-        update(app)?;
-        if let Some(bytes) = app.world_mut().resource_mut::<Finished>().0.take() {
-            app.world_mut().despawn(reader);
-            return Ok(still(size, &bytes));
-        }
-    }
-    Err(PictureError::Draw(
-        "it did not arrive from the graphics device".into(),
-    ))
-}
-
-/// Removes the padding of rows and the alpha channel.
-fn still(size: UVec2, bytes: &[u8]) -> Still {
-    let row = size.x as usize * 4;
-    let padded = if bytes.len() == row * size.y as usize {
-        row
-    } else {
-        row.next_multiple_of(ROW_ALIGNMENT)
-    };
-    let rgb = bytes
-        .chunks(padded)
-        .take(size.y as usize)
-        .flat_map(|line| line[..row].chunks_exact(4))
-        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
-        .collect();
-    Still {
-        width: size.x,
-        height: size.y,
-        rgb,
-    }
 }

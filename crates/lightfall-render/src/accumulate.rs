@@ -46,10 +46,7 @@ pub(super) fn plugin(app: &mut App) {
         Accumulation::shader(),
         "lightfall/accumulate.wgsl",
     );
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app
+    app.sub_app_mut(RenderApp)
         .add_systems(RenderStartup, create_accumulate_pass)
         .add_systems(
             Render,

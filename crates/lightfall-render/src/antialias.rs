@@ -4,16 +4,15 @@
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
 use crate::drawn_scene::DrawnScene;
-use crate::graphics::{create_buffer, create_target, picture_size, queue_compute_pipeline};
+use crate::graphics::{ComputePipelines, create_buffer, create_target, picture_size};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
-use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::binding_types::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::RenderDevice;
 use bevy::render::view::ViewTarget;
-use bevy::render::{RenderApp, RenderStartup};
+use bevy::render::{GpuResourceAppExt, RenderApp};
 use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
 use lightfall_core::gpu::{EdgeTraits, Edges};
 
@@ -29,17 +28,9 @@ const SHADERS: [(u32, Handle<Shader>); 2] = [
 /// Size of the uniform that holds a scene's columns, in bytes.
 const COLUMNS_SIZE: u64 = 8;
 
-/// The passes' resources on the GPU.
-#[derive(Resource)]
-pub(super) struct AntialiasPass {
-    /// What REFINE binds in addition to what the picture's shader binds.
-    pub(super) layout: BindGroupLayoutDescriptor,
-    /// The pipelines queued so far: of EDGES by samples, of REFINE by shader.
-    edges: HashMap<u32, CachedComputePipelineId>,
-    refine: HashMap<AssetId<Shader>, CachedComputePipelineId>,
-    /// `None` while no edges are looked for.
-    pub(super) targets: Option<Targets>,
-}
+/// The passes' resources on the GPU. `None` while no edges are looked for.
+#[derive(Resource, Default)]
+pub(super) struct AntialiasPass(pub(super) Option<Targets>);
 
 /// What exists while edges are looked for in pictures of one size.
 pub(super) struct Targets {
@@ -48,6 +39,8 @@ pub(super) struct Targets {
     pub(super) traits: TextureView,
     /// One for each scene of the picture.
     pub(super) marks: Vec<Marks>,
+    /// The pipeline of the search.
+    edges: CachedComputePipelineId,
 }
 
 /// The pixels of a scene that EDGES has marked.
@@ -60,37 +53,15 @@ pub(super) struct Marks {
 impl AntialiasPass {
     /// Whether the pipeline of the search exists.
     pub(super) fn finds_edges(&self, cache: &PipelineCache) -> bool {
-        self.edges_pipeline(cache).is_some()
-    }
-
-    /// The pipeline of the search, once it exists.
-    pub(super) fn edges_pipeline<'a>(
-        &self,
-        cache: &'a PipelineCache,
-    ) -> Option<&'a ComputePipeline> {
-        let targets = self.targets.as_ref()?;
-        cache.get_compute_pipeline(*self.edges.get(&targets.samples)?)
-    }
-
-    /// The pipeline that refines with this shader; `scene` is what the picture's shader binds.
-    pub(super) fn refinement(
-        &mut self,
-        scene: &BindGroupLayoutDescriptor,
-        shader: &Handle<Shader>,
-        cache: &PipelineCache,
-    ) -> CachedComputePipelineId {
-        let layout = &self.layout;
-        *self.refine.entry(shader.id()).or_insert_with(|| {
-            let layouts = vec![scene.clone(), layout.clone()];
-            queue_compute_pipeline(cache, "refine", layouts, shader.clone())
-        })
+        let targets = self.0.as_ref();
+        targets.is_some_and(|targets| targets.edges_pipeline(cache).is_some())
     }
 
     /// The second target of a geodesic pass that draws to `target`, if it has the same size and
     /// samples.
     pub(super) fn attachment(&self, target: &ViewTarget) -> Option<RenderPassColorAttachment<'_>> {
-        let targets = self.targets.as_ref()?;
-        targets.fits(target).then(|| RenderPassColorAttachment {
+        let targets = self.0.as_ref().filter(|targets| targets.fits(target))?;
+        Some(RenderPassColorAttachment {
             view: &targets.traits,
             depth_slice: None,
             resolve_target: None,
@@ -104,7 +75,11 @@ impl AntialiasPass {
 }
 
 impl Targets {
-    fn new(device: &RenderDevice, size: UVec2, samples: u32, scenes: usize) -> Self {
+    fn new(
+        device: &RenderDevice,
+        edges: CachedComputePipelineId,
+        (size, samples, scenes): (UVec2, u32, usize),
+    ) -> Self {
         let marks = || Marks {
             columns: create_buffer(
                 device,
@@ -130,7 +105,16 @@ impl Targets {
             samples,
             traits: create_target(device, "classes", size, TRAITS_FORMAT, samples),
             marks: std::iter::repeat_with(marks).take(scenes).collect(),
+            edges,
         }
+    }
+
+    /// The pipeline of the search, once it exists.
+    pub(super) fn edges_pipeline<'a>(
+        &self,
+        cache: &'a PipelineCache,
+    ) -> Option<&'a ComputePipeline> {
+        cache.get_compute_pipeline(self.edges)
     }
 
     /// Whether these are the targets of a picture that is drawn to `target`.
@@ -145,14 +129,13 @@ pub(super) fn plugin(app: &mut App) {
         let text = EdgeTraits { samples }.shader();
         add_shader(app, &handle, text, "lightfall/edges.wgsl");
     }
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app.add_systems(RenderStartup, create_antialias_pass);
+    app.sub_app_mut(RenderApp)
+        .init_gpu_resource::<AntialiasPass>();
 }
 
-fn create_antialias_pass(mut commands: Commands) {
-    let layout = BindGroupLayoutDescriptor::new(
+/// What REFINE binds in addition to what the picture's shader binds.
+pub(super) fn refinement_layout() -> BindGroupLayoutDescriptor {
+    BindGroupLayoutDescriptor::new(
         "refinement layout",
         &BindGroupLayoutEntries::with_indices(
             ShaderStages::COMPUTE,
@@ -165,13 +148,7 @@ fn create_antialias_pass(mut commands: Commands) {
                 ),
             ),
         ),
-    );
-    commands.insert_resource(AntialiasPass {
-        layout,
-        edges: HashMap::default(),
-        refine: HashMap::default(),
-        targets: None,
-    });
+    )
 }
 
 /// What EDGES binds.
@@ -203,25 +180,22 @@ pub(super) fn prepare_antialias(
     scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     If(mut pass): If<ResMut<AntialiasPass>>,
+    If(mut pipelines): If<ResMut<ComputePipelines>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
 ) {
     let chain = Chain::of(&scene).comparing(&compared);
     if !chain.antialias {
-        pass.targets = None;
+        pass.0 = None;
         return;
     }
-    let (size, samples) = (chain.picture, chain.samples);
     let scenes = 1 + usize::from(compared.drawn().is_some());
-    let fits = |targets: &Targets| {
-        (targets.size, targets.samples, targets.marks.len()) == (size, samples, scenes)
-    };
-    if !pass.targets.as_ref().is_some_and(fits) {
-        pass.targets = Some(Targets::new(&device, size, samples, scenes));
-    }
-    for (_, shader) in SHADERS.into_iter().filter(|(of, _)| *of == samples) {
-        pass.edges.entry(samples).or_insert_with(|| {
-            queue_compute_pipeline(&cache, "edges", vec![edges_layout(samples)], shader)
-        });
+    let wanted = (chain.picture, chain.samples, scenes);
+    let fits = |targets: &Targets| (targets.size, targets.samples, targets.marks.len()) == wanted;
+    if !pass.0.as_ref().is_some_and(fits) {
+        let shader = &SHADERS[usize::from(chain.samples > 1)].1;
+        let layout = edges_layout(chain.samples);
+        let edges = pipelines.queue(&cache, "edges", &[&layout], shader);
+        pass.0 = Some(Targets::new(&device, edges, wanted));
     }
 }

@@ -15,10 +15,6 @@ use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use lightfall_core::gpu::read_back;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The rows of a texture copy are padded to a multiple of this many bytes (WebGPU's
-/// COPY_BYTES_PER_ROW_ALIGNMENT).
-pub const ROW_ALIGNMENT: usize = 256;
-
 /// Makes the chain copy what it draws, and holds the last copy. It must be inserted before the
 /// first frame.
 #[derive(Resource, Clone, Default, ExtractResource)]
@@ -81,7 +77,7 @@ impl Capture {
 
 /// Length of a padded row of `width` pixels, in bytes.
 fn padded_row(width: u32, pixel_bytes: usize) -> usize {
-    (width as usize * pixel_bytes).next_multiple_of(ROW_ALIGNMENT)
+    RenderDevice::align_copy_bytes_per_row(width as usize * pixel_bytes)
 }
 
 /// The rows of a copy, without their padding.
@@ -102,10 +98,7 @@ fn read_rows(
 
 pub(super) fn plugin(app: &mut App) {
     app.add_plugins(ExtractResourcePlugin::<Capture>::default());
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app.add_systems(
+    app.sub_app_mut(RenderApp).add_systems(
         Core3d,
         copy_light_and_depth
             .in_set(Core3dSystems::MainPass)

@@ -14,30 +14,32 @@ pub(super) use pass::GeodesicPass;
 pub(crate) use shader::GeodesicShaders;
 pub(super) use shader::{JoinedShaders, select_geodesic_shaders};
 
-use crate::antialias::prepare_antialias;
+use crate::antialias::{AntialiasPass, prepare_antialias};
 use crate::comparison::{
-    ComparedScene, Comparison, draw_difference, follow_current_scene, prepare_difference,
+    ComparedScene, Comparison, DifferencePass, draw_difference, follow_current_scene,
+    prepare_difference,
 };
 use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
 use crate::drawn_scene::DrawnScene;
 use crate::error_map::ShownErrorMap;
-use crate::graphics::Graphics;
+use crate::graphics::{ComputePipelines, Graphics};
 use crate::live_shaders::LiveShaders;
 use crate::progress::DrawnFrame;
-use crate::star_catalogue::StarCatalogue;
-use crate::stars::StarPass;
+use crate::stars::{StarCatalogue, StarLists};
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
+use bevy::render::render_resource::BindGroupLayoutDescriptor;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{GpuResourceAppExt, Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
+use lightfall_core::gpu::bindings;
 use lightfall_core::scene::Frame;
 use pipeline::Destination;
-use queue::{GeodesicPipelines, queue_pipelines};
+use queue::PipelineQueue;
 use side::{Shared, Side, SideWriter};
 
 pub(super) fn plugin(app: &mut App) {
@@ -56,20 +58,12 @@ pub(super) fn plugin(app: &mut App) {
                 )
                 .before(AssetEventSystems),
         );
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app
-        .init_gpu_resource::<GeodesicPipelines>()
+    app.sub_app_mut(RenderApp)
+        .init_gpu_resource::<ComputePipelines>()
         .add_systems(RenderStartup, create_geodesic_pass)
         .add_systems(
             Render,
-            (
-                prepare_difference,
-                prepare_antialias,
-                queue_pipelines,
-                write_scenes,
-            )
+            (prepare_difference, prepare_antialias, write_scenes)
                 .chain()
                 .in_set(RenderSystems::PrepareResources),
         )
@@ -89,6 +83,8 @@ fn create_geodesic_pass(
     queue: Res<RenderQueue>,
 ) {
     commands.insert_resource(GeodesicPass {
+        layout: BindGroupLayoutDescriptor::new("geodesic layout", &bindings::picture_layout()),
+        pipelines: default(),
         shared: Shared::new(&device, &queue),
         current: Side::default(),
         pinned: None,
@@ -97,19 +93,31 @@ fn create_geodesic_pass(
     });
 }
 
-/// Writes changed scenes once their pipelines exist.
+/// Queues the pipelines of the scenes, and writes changed scenes once their pipelines exist.
 fn write_scenes(
-    scene: Res<DrawnScene>,
-    compared: Res<ComparedScene>,
-    (If(shaders), If(pipelines)): (If<Res<GeodesicShaders>>, If<Res<GeodesicPipelines>>),
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
+    If(shaders): If<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
     request: Option<Res<DrawRequest>>,
     mut drawn: ResMut<DrawnFrame>,
     (catalogue, limits): (Res<StarCatalogue>, Res<DetailLimits>),
-    (If(mut pass), If(mut stars)): (If<ResMut<GeodesicPass>>, If<ResMut<StarPass>>),
+    (If(difference), If(antialias)): (If<Res<DifferencePass>>, If<Res<AntialiasPass>>),
+    (If(mut kernels), If(mut lists)): (If<ResMut<ComputePipelines>>, If<ResMut<StarLists>>),
+    If(mut pass): If<ResMut<GeodesicPass>>,
     graphics: Graphics,
 ) {
     let pass = &mut *pass;
+    let mut queue = PipelineQueue {
+        layout: &pass.layout,
+        pictures: &mut pass.pipelines,
+        kernels: &mut kernels,
+        shows_difference: difference.is_ready(&graphics.cache),
+        finds_edges: antialias.finds_edges(&graphics.cache),
+        reloads: shaders.reloads,
+        cache: &graphics.cache,
+    };
+    let current = queue.all_of(&shaders.current);
+    let pinned = shaders.pinned.as_ref().map(|pinned| queue.all_of(pinned));
     pass.changed |= scene.is_changed()
         || shaders.is_changed()
         || errors.is_changed()
@@ -123,21 +131,21 @@ fn write_scenes(
         return;
     }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
-    let (true, Some(current)) = (shaders.are_ready(), pipelines.current) else {
+    if !shaders.are_ready() {
         return;
-    };
+    }
     let mut writer = SideWriter {
         shared: &mut pass.shared,
-        layout: &pipelines.layout,
+        layout: &pass.layout,
         errors: &errors.map,
         limits: *limits,
-        stars: &mut stars,
+        lists: &mut lists,
         catalogue: *catalogue,
         frame: &frame,
         graphics: &graphics,
     };
     pass.current.write(&scene, current, &mut writer);
-    pass.pinned = match (compared.drawn(), pipelines.pinned) {
+    pass.pinned = match (compared.drawn(), pinned) {
         (Some((scene, layout)), Some(pipelines)) => {
             let (mut side, _) = pass.pinned.take().unwrap_or((Side::default(), layout));
             side.write(scene, pipelines, &mut writer);

@@ -2,6 +2,7 @@
 
 use bevy::ecs::system::SystemParam;
 use bevy::image::ToExtents;
+use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_phase::TrackedRenderPass;
@@ -81,20 +82,32 @@ pub(super) fn picture_size(target: &ViewTarget) -> UVec2 {
     UVec2::new(texture.width(), texture.height())
 }
 
-/// Queues a compute pipeline, which has the name of its entry point.
-pub(super) fn queue_compute_pipeline(
-    cache: &PipelineCache,
-    entry_point: &'static str,
-    layout: Vec<BindGroupLayoutDescriptor>,
-    shader: Handle<Shader>,
-) -> CachedComputePipelineId {
-    cache.queue_compute_pipeline(ComputePipelineDescriptor {
-        label: Some(entry_point.into()),
-        layout,
-        shader,
-        entry_point: Some(entry_point.into()),
-        ..default()
-    })
+/// The compute pipelines queued so far, by entry point and shader.
+#[derive(Resource, Default)]
+pub(super) struct ComputePipelines(
+    HashMap<(&'static str, AssetId<Shader>), CachedComputePipelineId>,
+);
+
+impl ComputePipelines {
+    /// The pipeline of an entry point, whose name it has. It is queued unless it has been before.
+    pub(super) fn queue(
+        &mut self,
+        cache: &PipelineCache,
+        entry_point: &'static str,
+        layouts: &[&BindGroupLayoutDescriptor],
+        shader: &Handle<Shader>,
+    ) -> CachedComputePipelineId {
+        let id = self.0.entry((entry_point, shader.id()));
+        *id.or_insert_with(|| {
+            cache.queue_compute_pipeline(ComputePipelineDescriptor {
+                label: Some(entry_point.into()),
+                layout: layouts.iter().copied().cloned().collect(),
+                shader: shader.clone(),
+                entry_point: Some(entry_point.into()),
+                ..default()
+            })
+        })
+    }
 }
 
 /// Runs a compute pass, measured under its name.

@@ -45,11 +45,10 @@ mod refine;
 mod resting_frames;
 mod scene_camera;
 mod shader_reload;
-mod star_catalogue;
 mod stars;
 
 pub use camera_markers::{SceneCamera, ScreenCamera};
-pub use capture::{Capture, Captured, ROW_ALIGNMENT};
+pub use capture::{Capture, Captured};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
 pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
 pub use cost_report::{cost_report, cost_rows};
@@ -65,14 +64,15 @@ pub use progress::Progress;
 pub use redraw::is_drawn;
 pub use resting_frames::RestingFrames;
 pub use scene_camera::NEAR_PLANE;
-pub use star_catalogue::StarCatalogue;
+pub use stars::StarCatalogue;
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
 use lightfall_core::gpu::Drawable;
 
-/// The whole chain, drawing [`CurrentScene`] in its [`CurrentFrame`] to a window or an image.
+/// The whole chain, drawing [`CurrentScene`] in its [`CurrentFrame`] to a window or an image. It
+/// needs Bevy's renderer ([`render_plugin`]).
 pub struct LightfallRenderPlugin {
     /// The first scene to draw.
     pub scene: Drawable,

@@ -98,10 +98,7 @@ pub(super) fn plugin(app: &mut App) {
     );
     app.init_resource::<ShownCells>()
         .add_plugins(ExtractResourcePlugin::<ShownCells>::default());
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app
+    app.sub_app_mut(RenderApp)
         .add_systems(RenderStartup, create_presentation_pass)
         .add_systems(
             Render,
@@ -185,21 +182,15 @@ fn prepare_presentation_pass(
             levels: uniform.levels,
             dither: uniform.dither,
         };
-        match cells {
-            Some(cells) if cells.settings == settings => Cells {
-                filled: cells.filled && !active,
-                ..cells
-            },
-            Some(cells) if cells.settings.grid == grid => Cells {
-                settings,
-                filled: false,
-                ..cells
-            },
-            _ => Cells {
-                view: create_target(&graphics.device, "presentation grid", grid, GRID_FORMAT, 1),
-                settings,
-                filled: false,
-            },
+        let same_grid = cells.filter(|cells| cells.settings.grid == grid);
+        let is_kept = |cells: &Cells| cells.filled && cells.settings == settings && !active;
+        Cells {
+            filled: same_grid.as_ref().is_some_and(is_kept),
+            view: same_grid.map_or_else(
+                || create_target(&graphics.device, "presentation grid", grid, GRID_FORMAT, 1),
+                |cells| cells.view,
+            ),
+            settings,
         }
     });
     pass.full_screen.write(uniform, &graphics);

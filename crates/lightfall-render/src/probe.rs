@@ -50,10 +50,7 @@ pub(super) fn plugin(app: &mut App) {
             .run_if(resource_changed::<DrawnScene>)
             .before(TransformSystems::Propagate),
     );
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app.add_systems(
+    app.sub_app_mut(RenderApp).add_systems(
         Render,
         skip_lamp_clustering
             .after(RenderSystems::ExtractCommands)
@@ -164,17 +161,13 @@ fn craft(
     ];
     for side in [-1.0, 1.0] {
         let boom = at(0.0, 0.0, 0.2 * side).with_rotation(Quat::from_rotation_x(FRAC_PI_2));
-        parts.push((Cylinder::new(0.015, 0.16).into(), metal.clone(), boom));
-        parts.push((
-            Cuboid::new(0.012, 0.3, 0.42).into(),
-            coating.clone(),
-            at(0.0, 0.0, 0.49 * side),
-        ));
-        parts.push((
-            Cuboid::new(0.02, 0.012, 0.42).into(),
-            metal.clone(),
-            at(0.0, 0.0, 0.49 * side),
-        ));
+        let [panel, spar] = [[0.012, 0.3, 0.42], [0.02, 0.012, 0.42]].map(Vec3::from_array);
+        let outside = at(0.0, 0.0, 0.49 * side);
+        parts.extend([
+            (Cylinder::new(0.015, 0.16).into(), metal.clone(), boom),
+            (Cuboid::from_size(panel).into(), coating.clone(), outside),
+            (Cuboid::from_size(spar).into(), metal.clone(), outside),
+        ]);
     }
     parts
 }

@@ -49,10 +49,7 @@ pub(super) fn plugin(app: &mut App) {
                 .after(update_error_map)
                 .before(CameraUpdateSystems),
         );
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app
+    app.sub_app_mut(RenderApp)
         .init_resource::<DrawnFrame>()
         .add_systems(RenderStartup, forget_lost_picture)
         .add_systems(Render, count_frame.in_set(RenderSystems::Cleanup));
@@ -120,10 +117,8 @@ fn count_frame(
 /// A pipeline that could not be created (a shader error, or a limit of the device), or an error map
 /// that could not be computed; in one sentence.
 pub fn is_drawn(app: &App) -> Result<bool, String> {
-    let Some(cache) = app
-        .get_sub_app(RenderApp)
-        .and_then(|render| render.world().get_resource::<PipelineCache>())
-    else {
+    let render_world = app.sub_app(RenderApp).world();
+    let Some(cache) = render_world.get_resource::<PipelineCache>() else {
         return Ok(false);
     };
     for pipeline in cache.pipelines() {
@@ -134,12 +129,8 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
         }
     }
     let world = app.world();
-    let (Some(scene), Some(error_map), Some(request)) = (
-        world.get_resource::<DrawnScene>(),
-        world.get_resource::<ErrorMapRequest>(),
-        world.get_resource::<DrawRequest>(),
-    ) else {
-        return Ok(false);
-    };
-    Ok(error_map.is_done(scene)? && request.progress(true) == Progress::Done)
+    let error_map = world.resource::<ErrorMapRequest>();
+    let request = world.resource::<DrawRequest>();
+    Ok(error_map.is_done(world.resource::<DrawnScene>())?
+        && request.progress(true) == Progress::Done)
 }

@@ -4,7 +4,7 @@
 //!
 //! Of two scenes side by side, each has marks of its own, and neither looks across the divider.
 
-use crate::antialias::{AntialiasPass, edges_layout};
+use crate::antialias::{AntialiasPass, edges_layout, refinement_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::geodesic::GeodesicPass;
@@ -21,14 +21,12 @@ use lightfall_core::gpu::Edges;
 use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
 
 pub(super) fn plugin(app: &mut App) {
-    if let Some(render_app) = app.get_sub_app_mut(RenderApp) {
-        render_app.add_systems(
-            Core3d,
-            refine_edges
-                .in_set(Core3dSystems::MainPass)
-                .after(main_transparent_pass_3d),
-        );
-    }
+    app.sub_app_mut(RenderApp).add_systems(
+        Core3d,
+        refine_edges
+            .in_set(Core3dSystems::MainPass)
+            .after(main_transparent_pass_3d),
+    );
 }
 
 /// Finds and refines the edges of the picture that this frame has drawn.
@@ -42,10 +40,10 @@ pub(super) fn refine_edges(
     mut context: RenderContext,
 ) {
     let target = view.into_inner();
-    let (Some(targets), Some(edges)) = (
-        pass.targets.as_ref().filter(|targets| targets.fits(target)),
-        pass.edges_pipeline(&cache),
-    ) else {
+    let Some(targets) = pass.0.as_ref().filter(|targets| targets.fits(target)) else {
+        return;
+    };
+    let Some(edges) = targets.edges_pipeline(&cache) else {
         return;
     };
     if !drawn.is_drawn || !request.refines_edges() {
@@ -72,7 +70,7 @@ pub(super) fn refine_edges(
         return;
     }
     let edges_layout = cache.get_bind_group_layout(&edges_layout(targets.samples));
-    let refine_layout = cache.get_bind_group_layout(&pass.layout);
+    let refine_layout = cache.get_bind_group_layout(&refinement_layout());
     let device = context.render_device().clone();
     let find_edges = |compute_pass: &mut ComputePass| {
         compute_pass.set_pipeline(edges);

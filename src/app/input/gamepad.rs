@@ -73,7 +73,7 @@ impl Pads<'_, '_> {
 
     fn active(&self) -> impl Iterator<Item = &Gamepad> {
         let active = self.windows.iter().any(|window| window.focused)
-            && !self.rebinding.is_waiting()
+            && self.rebinding.0.is_none()
             && !self.menu.is_open();
         self.pads.iter().filter(move |_| active)
     }

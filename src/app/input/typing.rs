@@ -69,7 +69,7 @@ fn detect_typing(
     let layer = mouse.and_then(|mouse| context.layer_id_at(mouse));
     over_panel.0 = layer.is_some_and(|layer| layer.id == egui::Id::new(PANEL));
     let in_text = context.text_edit_focused();
-    typing.0 = in_text || rebinding.is_waiting() || menu.is_open();
+    typing.0 = in_text || rebinding.0.is_some() || menu.is_open();
     if !in_text && let Some(focused) = context.memory(|memory| memory.focused()) {
         context.memory_mut(|memory| memory.surrender_focus(focused));
     }

@@ -21,12 +21,12 @@ pub(crate) fn announce_crossing(
     let is_inside = is_inside(&scene);
     let flies_itself = free_fall.is_moving() || player.is_playing();
     if is_inside && *was_inside == Some(false) && flies_itself {
-        notice.show(
+        *notice = Notice::new([
             "You have crossed the horizon",
             "From here no signal can get out",
-        );
+        ]);
     } else if !is_inside {
-        notice.close();
+        *notice = Notice::default();
     }
     *was_inside = Some(is_inside);
 }

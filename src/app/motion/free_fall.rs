@@ -11,18 +11,16 @@ use crate::app::controls::refusal::no_observer;
 use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::hole_in_view::HoleInView;
-use crate::app::state::last_pose::LastPose;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
-use lightfall_core::gpu::Drawable;
 use lightfall_core::numbers::{four_digits, steady_digits, three_digits, with_short_numbers};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::worldline::Worldline;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Observer, Scene};
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
 /// fall takes about as long from anywhere, and one orbit takes a minute and a half.
@@ -61,9 +59,17 @@ pub struct FreeFall {
 #[derive(Clone, Debug)]
 struct Motion {
     worldline: Worldline,
-    spin: f64,
-    last: LastPose,
+    last: Pose,
     limit: Option<Limit>,
+}
+
+/// Where the camera is and how it moves, wherever it looks; and the hole's spin.
+type Pose = ([f64; 3], Observer, f64);
+
+fn pose_of(scene: &Scene) -> Pose {
+    let camera = &scene.camera;
+    let place = [camera.r, camera.theta_deg, camera.phi_deg];
+    (place, scene.observer, scene.hole.spin)
 }
 
 impl Default for FreeFall {
@@ -110,11 +116,9 @@ impl FreeFall {
     /// # Errors
     /// The scene's observer cannot exist.
     pub fn start(&mut self, scene: &Scene) -> Result<(), ObserverError> {
-        let worldline = Worldline::start(scene)?;
         self.motion = Some(Motion {
-            worldline,
-            spin: scene.hole.spin,
-            last: LastPose::new(scene),
+            worldline: Worldline::start(scene)?,
+            last: pose_of(scene),
             limit: None,
         });
         Ok(())
@@ -133,27 +137,19 @@ impl FreeFall {
         let Some(motion) = &mut self.motion else {
             return FlightStep::Idle;
         };
-        if !motion.last.has_place_of(scene) || motion.spin != scene.hole.spin {
+        if motion.last != pose_of(scene) {
             self.motion = None;
             return FlightStep::Idle;
         }
-        let (mut worldline, mut next) = (motion.worldline.clone(), scene.clone());
-        let limit = worldline.advance(rate * seconds.min(MAX_FRAME_SECONDS), &mut next);
-        match Drawable::new(next) {
-            Ok(next) => {
-                (motion.worldline, motion.last) = (worldline, LastPose::new(&next));
-                motion.limit = limit;
-                if limit.is_some() {
-                    FlightStep::Ended(Box::new(next))
-                } else {
-                    FlightStep::Moved(Box::new(next))
-                }
-            }
-            Err(reason) => {
-                self.motion = None;
-                FlightStep::Refused(reason.to_string())
-            }
+        let mut next = scene.clone();
+        let proper_time = rate * seconds.min(MAX_FRAME_SECONDS);
+        motion.limit = motion.worldline.advance(proper_time, &mut next);
+        motion.last = pose_of(&next);
+        let step = FlightStep::to(next, motion.limit.is_some());
+        if matches!(step, FlightStep::Refused(_)) {
+            self.motion = None;
         }
+        step
     }
 
     /// The clocks in one line: the observer's own since the release, and those far away; inside the

@@ -3,7 +3,6 @@
 
 use super::flight_step::FlightStep;
 use crate::app::state::MAX_FRAME_SECONDS;
-use crate::app::state::last_pose::LastPose;
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{Journey, Unflyable, between};
@@ -35,7 +34,8 @@ struct Flight {
     since: f64,
     /// Seconds along the journey at which the scene's disk has its time.
     clock: f64,
-    last: Option<LastPose>,
+    /// The camera as it was left. None before the first frame.
+    last: Option<Camera>,
 }
 
 impl JourneyPlayer {
@@ -175,11 +175,7 @@ impl JourneyPlayer {
         let Some(flight) = &mut self.flight else {
             return FlightStep::Idle;
         };
-        if flight
-            .last
-            .as_ref()
-            .is_some_and(|last| !last.has_camera_of(scene))
-        {
+        if flight.last.is_some_and(|last| last != scene.camera) {
             self.flight = None;
             return FlightStep::Idle;
         }
@@ -201,21 +197,12 @@ impl JourneyPlayer {
         }
         self.journey
             .drive_clock([flight.clock, self.time], &before, &mut next);
-        flight.clock = self.time;
-        match Drawable::new(next) {
-            Ok(next) if self.time >= self.journey.duration => {
-                self.flight = None;
-                FlightStep::Ended(Box::new(next))
-            }
-            Ok(next) => {
-                flight.last = Some(LastPose::new(&next));
-                FlightStep::Moved(Box::new(next))
-            }
-            Err(reason) => {
-                self.flight = None;
-                FlightStep::Refused(reason.to_string())
-            }
+        (flight.clock, flight.last) = (self.time, Some(next.camera));
+        let step = FlightStep::to(next, self.time >= self.journey.duration);
+        if !matches!(step, FlightStep::Moved(_)) {
+            self.flight = None;
         }
+        step
     }
 }
 

@@ -19,23 +19,19 @@ pub(crate) struct AdapterChoice {
     pub(crate) used: Option<AdapterName>,
     /// The file that exists while it is not known whether that adapter works.
     trial: Option<PathBuf>,
-    /// A message for the user.
-    news: Option<String>,
 }
 
 impl AdapterChoice {
-    /// Prefers the adapter of the settings. Must be called before anything opens a device.
-    pub(crate) fn apply(preferences: &mut Preferences) -> Self {
+    /// Prefers the adapter of the settings. Must be called before anything opens a device. The
+    /// second value says why the adapter is not used.
+    pub(crate) fn apply(preferences: &mut Preferences) -> (Self, Option<String>) {
         let Some(wanted) = preferences.settings.adapter.clone() else {
-            return Self::default();
+            return (Self::default(), None);
         };
         if gpu::named_by_environment().is_some() {
-            return Self::default();
+            return (Self::default(), None);
         }
-        let unused = |news: String| Self {
-            news: Some(news),
-            ..Self::default()
-        };
+        let unused = |news: String| (Self::default(), Some(news));
         let trial = settings_file().map(|file| file.with_file_name("adapter-on-trial"));
         if let Some(trial) = trial.as_ref().filter(|trial| exists(trial)) {
             preferences.settings.adapter = None;
@@ -58,22 +54,22 @@ impl AdapterChoice {
         let trial =
             trial.filter(|trial| write_atomically(trial, wanted.to_string().as_bytes()).is_ok());
         gpu::prefer(Some(wanted.clone()));
-        Self {
-            used: Some(wanted),
-            trial,
-            news: None,
-        }
+        let used = Some(wanted);
+        (Self { used, trial }, None)
     }
 }
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Startup, compare_adapters)
-        .add_systems(Update, report_adapter)
         .add_systems(Last, end_adapter_trial);
 }
 
-/// Checks whether the renderer uses another adapter because the wanted one cannot show this window.
-fn compare_adapters(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
+/// Reports that the renderer uses another adapter because the wanted one cannot show this window.
+fn compare_adapters(
+    choice: Res<AdapterChoice>,
+    present: Option<Res<RenderAdapterInfo>>,
+    mut toast: ResMut<Toast>,
+) {
     let Some((wanted, present)) = choice
         .used
         .clone()
@@ -82,14 +78,8 @@ fn compare_adapters(mut choice: ResMut<AdapterChoice>, present: Option<Res<Rende
         return;
     };
     if present != wanted {
-        choice.news = Some(format!(
-            "The settings name {wanted}, which cannot show this window; {present} is used"
-        ));
-    }
-}
-
-fn report_adapter(mut choice: ResMut<AdapterChoice>, mut toast: ResMut<Toast>) {
-    if let Some(news) = choice.bypass_change_detection().news.take() {
+        let news =
+            format!("The settings name {wanted}, which cannot show this window; {present} is used");
         warn!("{news}");
         toast.add(&news);
     }

@@ -47,18 +47,14 @@ fn adapt_resolution(
 ) {
     let settings = &preferences.settings;
     let fineness = resolution.fineness(&scene.picture);
-    let is_slow = || {
-        adapter.is_some_and(|info| {
-            matches!(
-                assumed_kind(&info),
-                DeviceType::Cpu | DeviceType::IntegratedGpu
-            )
-        })
+    let is_slow = |info| {
+        let kind = assumed_kind(info);
+        matches!(kind, DeviceType::Cpu | DeviceType::IntegratedGpu)
     };
     let wanted = match settings.automatic_resolution {
         Automatic::On => true,
         Automatic::Off => false,
-        Automatic::Auto => is_slow() || fineness > 1.0,
+        Automatic::Auto => fineness > 1.0 || adapter.as_deref().is_some_and(is_slow),
     };
     let adapts = wanted && pacing.running;
     // A first movement begins with as many pixels as the scene asks for.

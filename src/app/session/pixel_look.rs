@@ -6,41 +6,25 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 
-/// The pixel look in the settings and in the picture.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct PixelLook {
-    setting: bool,
-    shown: bool,
-}
-
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Update, keep_pixel_look);
 }
 
 /// Makes the setting and the picture agree after either has changed. A picture whose look was
-/// chosen on the command line differs from the setting until one of them changes.
+/// chosen on the command line differs from the setting until one of them changes. `last` is what
+/// the setting said and what was shown.
 fn keep_pixel_look(
     mut editor: SceneEditor,
     mut preferences: ResMut<Preferences>,
-    mut last: Local<Option<PixelLook>>,
+    mut last: Local<Option<[bool; 2]>>,
 ) {
-    let settings = &mut preferences.settings;
-    let mut now = PixelLook {
-        setting: settings.pixel_look,
-        shown: editor.shows_cells(),
-    };
-    if let Some(last) = *last {
-        if now.shown != last.shown {
-            settings.pixel_look = now.shown;
-        } else if now.setting != last.setting {
-            let mut scene = editor.scene();
-            scene.picture.bypass = !now.setting;
-            editor.change("Pixel look", scene);
-        }
-        now = PixelLook {
-            setting: settings.pixel_look,
-            shown: editor.shows_cells(),
-        };
+    let [setting, shown] = [preferences.settings.pixel_look, editor.shows_cells()];
+    if last.is_some_and(|[_, last]| last != shown) {
+        preferences.settings.pixel_look = shown;
+    } else if last.is_some_and(|[last, _]| last != setting) {
+        let mut scene = editor.scene();
+        scene.picture.bypass = !setting;
+        editor.change("Pixel look", scene);
     }
-    *last = Some(now);
+    *last = Some([preferences.settings.pixel_look, editor.shows_cells()]);
 }

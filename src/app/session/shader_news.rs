@@ -21,8 +21,7 @@ fn say_shader_news(live: Res<LiveShaders>, mut said: Local<ShaderNews>, mut toas
     if let Some(fault) = &news.fault {
         let sentence = format!("The last shaders stay, because of {fault}");
         say(format_args!("lightfall: {sentence}"));
-        toast.say(sentence);
-        toast.keep_for(FAULT_DURATION);
+        toast.say_for(FAULT_DURATION, sentence);
     } else {
         toast.say("The shaders have been read again.");
     }

@@ -6,7 +6,6 @@ pub(crate) mod disk_clock;
 pub(crate) mod end_card;
 pub(crate) mod history;
 pub(crate) mod hole_in_view;
-pub(crate) mod last_pose;
 pub(crate) mod light_meter;
 pub(crate) mod menu;
 pub(crate) mod notice;

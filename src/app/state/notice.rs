@@ -6,35 +6,22 @@ use std::time::Duration;
 /// How long a notice stays.
 const DURATION: Duration = Duration::from_secs(7);
 
-/// The notice. Empty while there is none.
+/// The notice.
 #[derive(Resource, Default)]
 pub(crate) struct Notice {
-    title: String,
-    text: String,
+    /// The title and the text. None while there is no notice.
+    pub(crate) lines: Option<[&'static str; 2]>,
     /// When it goes, as a time since the start. None before its first frame.
     ends: Option<Duration>,
 }
 
 impl Notice {
-    /// Shows a notice in place of the last one.
-    pub(crate) fn show(&mut self, title: &str, text: &str) {
-        *self = Self {
-            title: title.into(),
-            text: text.into(),
+    /// A notice that begins to be shown.
+    pub(crate) fn new(lines: [&'static str; 2]) -> Self {
+        Self {
+            lines: Some(lines),
             ends: None,
-        };
-    }
-
-    /// Takes the notice away.
-    pub(crate) fn close(&mut self) {
-        if self.lines().is_some() {
-            *self = Self::default();
         }
-    }
-
-    /// The title and the text, if there is a notice.
-    pub(crate) fn lines(&self) -> Option<[&str; 2]> {
-        (!self.title.is_empty()).then_some([&self.title, &self.text])
     }
 }
 
@@ -44,12 +31,8 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn expire_notice(time: Res<Time<Real>>, mut notice: ResMut<Notice>) {
-    if notice.lines().is_none() {
-        return;
-    }
-    match notice.ends {
-        None => notice.ends = Some(time.elapsed() + DURATION),
-        Some(end) if time.elapsed() > end => notice.close(),
-        Some(_) => {}
+    let now = time.elapsed();
+    if notice.lines.is_some() && now > *notice.ends.get_or_insert(now + DURATION) {
+        *notice = Notice::default();
     }
 }

@@ -55,18 +55,15 @@ impl Preferences {
     }
 }
 
-/// Adds the settings and the bindings in them.
+/// Adds the settings and the bindings in them, and keeps them in their file.
 pub(crate) fn insert(app: &mut App, preferences: Preferences) {
     // Both were checked when the file was read.
     let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
     let pad_bindings = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
     app.insert_resource(preferences)
         .insert_resource(bindings)
-        .insert_resource(pad_bindings);
-}
-
-pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (take_in_bindings, save_settings).chain())
+        .insert_resource(pad_bindings)
+        .add_systems(Update, (take_in_bindings, save_settings).chain())
         .add_systems(Last, save_settings_at_exit);
 }
 
@@ -91,14 +88,11 @@ fn save_settings(
     if preferences.settings == preferences.saved {
         return;
     }
-    match preferences.changed {
-        None => preferences.changed = Some(time.elapsed()),
-        Some(changed) if time.elapsed() > changed + SAVE_DELAY => {
-            if let Err(fault) = preferences.save() {
-                toast.say(fault);
-            }
-        }
-        Some(_) => {}
+    let now = time.elapsed();
+    if now > *preferences.changed.get_or_insert(now) + SAVE_DELAY
+        && let Err(fault) = preferences.save()
+    {
+        toast.say(fault);
     }
 }
 

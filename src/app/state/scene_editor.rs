@@ -15,6 +15,7 @@ use glam::DMat3;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Frame, Picture, Scene};
 use lightfall_render::{CurrentFrame, CurrentScene, FrameScene, draw_scene_in_frame};
+use std::time::Duration;
 
 /// The scene, what drives its frame, and the way to change both.
 #[derive(SystemParam)]
@@ -203,9 +204,9 @@ impl SceneEditor<'_> {
         self.toast.say(text);
     }
 
-    /// Keeps the toast for at least this long, unless another one takes its place.
-    pub(crate) fn keep_saying_for(&mut self, duration: std::time::Duration) {
-        self.toast.keep_for(duration);
+    /// Shows a toast for at least this long, unless another one takes its place.
+    pub(crate) fn say_for(&mut self, min_duration: Duration, text: impl Into<String>) {
+        self.toast.say_for(min_duration, text);
     }
 
     /// Shows a changed scene, metered at once where its exposure is automatic.

@@ -212,9 +212,10 @@ impl Settings {
     /// # Errors
     /// The file's name and the file system's reason.
     pub fn save(&self, file: &Path) -> Result<(), String> {
+        let fields = toml::to_string_pretty(self);
+        let fields = fields.expect("settings consist of numbers, words and tables");
         let text = format!(
-            "# Settings of Lightfall. Fields that are left out have their defaults.\n\n{}",
-            self.text()
+            "# Settings of Lightfall. Fields that are left out have their defaults.\n\n{fields}"
         );
         let written = storage::create_parent_folder(file)
             .and_then(|()| storage::write_atomically(file, text.as_bytes()));
@@ -225,10 +226,6 @@ impl Settings {
                 error.source
             )
         })
-    }
-
-    fn text(&self) -> String {
-        toml::to_string_pretty(self).expect("settings consist of numbers, words and tables")
     }
 }
 

@@ -30,17 +30,17 @@ pub(crate) struct Toast {
 impl Toast {
     /// Says something in place of the last sentence.
     pub(crate) fn say(&mut self, text: impl Into<String>) {
+        self.say_for(Duration::ZERO, text);
+    }
+
+    /// Says something for at least this long, unless another sentence takes its place.
+    pub(crate) fn say_for(&mut self, min_duration: Duration, text: impl Into<String>) {
         *self = Self {
             text: text.into(),
             ends: None,
             strength: 1.0,
-            min_duration: Duration::ZERO,
+            min_duration,
         };
-    }
-
-    /// Keeps the present sentence for at least this long, unless another one takes its place.
-    pub(crate) fn keep_for(&mut self, duration: Duration) {
-        self.min_duration = duration;
     }
 
     /// Says something after the present sentence.
@@ -86,12 +86,11 @@ fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
         return;
     }
     let now = time.elapsed();
-    match toast.ends {
-        None => toast.ends = Some(now + reading_time(&toast.text).max(toast.min_duration)),
-        Some(end) if now > end + FADE => toast.clear(),
-        Some(end) if now > end => {
-            toast.strength = 1.0 - (now - end).as_secs_f32() / FADE.as_secs_f32();
-        }
-        Some(_) => {}
+    let stays = reading_time(&toast.text).max(toast.min_duration);
+    let end = *toast.ends.get_or_insert(now + stays);
+    if now > end + FADE {
+        toast.clear();
+    } else {
+        toast.strength = 1.0 - now.saturating_sub(end).as_secs_f32() / FADE.as_secs_f32();
     }
 }

@@ -37,7 +37,7 @@ fn show_notice(
     };
     let window = context.content_rect();
     let across = room.center().x - window.center().x;
-    if let Some([title, text]) = notice.lines() {
+    if let Some([title, text]) = notice.lines {
         let down = (NOTICE_HEIGHT - 0.5) * window.height();
         draw(context, [across, down], title, text);
     } else if hole.0.is_some_and(|hole| hole.fills_view) {

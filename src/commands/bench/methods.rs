@@ -14,7 +14,7 @@ use lightfall_lab::bench::{
 };
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::{csv, json};
-use lightfall_picture as picture;
+use lightfall_picture::Studio;
 use lightfall_platform::log::say;
 
 /// Number of frames that a whole frame's time is the median of.
@@ -114,8 +114,9 @@ fn time_frames(
         };
         let scene = bench_scene.scene.with_method(method);
         let size = UVec2::new(scene.picture.width, scene.picture.height);
-        let (_, passes) =
-            picture::render_timed(&scene, size, TIMED_FRAMES).map_err(Stop::failed)?;
+        let studio = Studio::open(&scene, size);
+        let passes = studio.and_then(|mut studio| studio.time(TIMED_FRAMES));
+        let passes = passes.map_err(Stop::failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
         kept.replace(rows);
         progress.advance(1.0);

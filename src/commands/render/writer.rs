@@ -38,7 +38,7 @@ impl PictureWriter {
         match self.format {
             Format::Png => {
                 let still = self.studio.picture()?;
-                write_png(file, &still, &scene)?;
+                picture::write_png(file, &still, &scene.to_preset())?;
                 self.still = Some(still);
                 Ok(())
             }
@@ -54,9 +54,8 @@ impl PictureWriter {
         let animation = match &mut self.animation {
             Some(animation) => animation,
             none => {
-                let size = [still.width, still.height];
                 let pace = (self.frames, self.fps.unwrap_or(1.0));
-                none.insert(Animation::new(file, size, pace, &scene.to_preset())?)
+                none.insert(Animation::new(file, still.size, pace, &scene.to_preset())?)
             }
         };
         animation.add(still)
@@ -91,9 +90,4 @@ impl PictureWriter {
         };
         Ok(picture::write_exr(file, picture)?)
     }
-}
-
-pub(super) fn write_png(file: &Path, still: &Still, scene: &Scene) -> Result<(), PictureError> {
-    let preset = scene.to_preset();
-    picture::write_png(file, still.width, still.height, &still.rgb, &preset)
 }

@@ -22,19 +22,14 @@ const STAGE: Stage = ("difference", [Some(TextureFormat::Rgba16Float), None]);
 #[derive(Resource)]
 pub(crate) struct DifferencePass {
     full_screen: FullScreenPass<Difference>,
-    /// The light of the current scene and of the pinned one.
-    lights: Option<TexturePair>,
+    /// The textures that the current and the pinned scene are drawn to.
+    pub(crate) lights: Option<TexturePair>,
 }
 
 impl DifferencePass {
     /// Whether its pipeline exists.
     pub(crate) fn is_ready(&self, cache: &PipelineCache) -> bool {
         self.full_screen.pipeline(STAGE, cache).is_some()
-    }
-
-    /// The textures that the current and the pinned scene are drawn to.
-    pub(crate) fn lights(&self) -> Option<&TexturePair> {
-        self.lights.as_ref()
     }
 }
 
@@ -45,9 +40,8 @@ pub(super) fn plugin(app: &mut App) {
         Difference::shader(),
         "lightfall/difference.wgsl",
     );
-    if let Some(render_app) = app.get_sub_app_mut(RenderApp) {
-        render_app.add_systems(RenderStartup, create_difference_pass);
-    }
+    app.sub_app_mut(RenderApp)
+        .add_systems(RenderStartup, create_difference_pass);
 }
 
 fn create_difference_pass(mut commands: Commands) {

@@ -1,7 +1,7 @@
 //! Draws the scenes: a full-screen triangle at the far plane, or one over a texture of its own.
 
 use super::pass::GeodesicPass;
-use super::pipeline::{Destination, Traits};
+use super::pipeline::Destination;
 use super::side::Side;
 use crate::antialias::AntialiasPass;
 use crate::camera_markers::SceneCamera;
@@ -27,7 +27,7 @@ pub(super) fn draw_geodesic_pass(
     let (target, depth) = view.into_inner();
     frame.is_drawn = match (pass.destination, &pass.pinned) {
         (Destination::Light, Some((pinned, _))) => {
-            let lights = difference.as_ref().and_then(|pass| pass.lights());
+            let lights = difference.as_ref().and_then(|pass| pass.lights.as_ref());
             lights.is_some_and(|lights| {
                 let [to_current, to_pinned] =
                     lights.views.each_ref().map(|view| (view, lights.size));
@@ -43,16 +43,11 @@ pub(super) fn draw_geodesic_pass(
             false
         }
         (Destination::Picture { traits, .. }, _) => {
-            let second = antialias.as_ref().and_then(|pass| pass.attachment(target));
+            let second = antialias.as_ref().filter(|_| traits.is_some());
+            let second = second.and_then(|pass| pass.attachment(target));
             // So does a pipeline with a second target.
-            (traits == Traits::Absent || second.is_some())
-                && draw_picture(
-                    &mut context,
-                    &cache,
-                    &pass,
-                    (target, second.filter(|_| traits != Traits::Absent)),
-                    depth,
-                )
+            second.is_some() == traits.is_some()
+                && draw_picture(&mut context, &cache, &pass, (target, second), depth)
         }
     };
 }

@@ -1,6 +1,7 @@
 //! The resources of the geodesic pass on the GPU: the scenes that it draws.
 
 use super::pipeline::Destination;
+use super::queue::PicturePipelines;
 use super::side::{Shared, Side};
 use crate::comparison::{ComparedScene, ComparisonLayout};
 use crate::graphics::Graphics;
@@ -14,6 +15,9 @@ use std::ops::Range;
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(crate) struct GeodesicPass {
+    /// What all pipelines bind.
+    pub(super) layout: BindGroupLayoutDescriptor,
+    pub(super) pipelines: PicturePipelines,
     pub(super) shared: Shared,
     pub(super) current: Side,
     /// The pinned scene, and where the two are drawn; `None` while nothing is compared.

@@ -14,39 +14,15 @@ pub(super) enum Destination {
     Picture {
         /// Samples per pixel.
         samples: u32,
-        /// What becomes of the pass's second target.
-        traits: Traits,
+        /// What is written to the pass's second target, which the search for edges compares.
+        /// Nothing is written where the target is there for the other one of two compared scenes.
+        /// None if there is no second target.
+        traits: Option<ColorWrites>,
     },
     /// Buffers, or single pixels of the picture: a compute pass with this entry point.
     Compute(Entry),
     /// A texture of one scene's light, without a foreground, from which a difference is made.
     Light,
-}
-
-/// The pass's second target: what the search for edges compares.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Traits {
-    /// There is none.
-    Absent,
-    /// It is there for the other one of two compared scenes. This one leaves it as it is.
-    Kept,
-    /// It is written.
-    Written,
-}
-
-impl Traits {
-    fn target(self) -> Option<ColorTargetState> {
-        let write_mask = match self {
-            Self::Absent => return None,
-            Self::Kept => ColorWrites::empty(),
-            Self::Written => ColorWrites::ALL,
-        };
-        Some(ColorTargetState {
-            format: TRAITS_FORMAT,
-            blend: None,
-            write_mask,
-        })
-    }
 }
 
 pub(super) fn pipeline_descriptor(
@@ -64,16 +40,17 @@ pub(super) fn pipeline_descriptor(
         bias: default(),
     };
     let (samples, depth_stencil, traits) = match destination {
-        Destination::Picture { samples, traits } => {
-            (samples, Some(behind_foreground), traits.target())
-        }
+        Destination::Picture { samples, traits } => (samples, Some(behind_foreground), traits),
         Destination::Light | Destination::Compute(_) => (1, None, None),
     };
-    let light = ColorTargetState {
-        format: TextureFormat::Rgba16Float,
+    let target = |(format, write_mask)| ColorTargetState {
+        format,
         blend: None,
-        write_mask: ColorWrites::ALL,
+        write_mask,
     };
+    let light = (TextureFormat::Rgba16Float, ColorWrites::ALL);
+    let traits = traits.map(|writes| (TRAITS_FORMAT, writes));
+    let targets = [light].into_iter().chain(traits).map(target);
     RenderPipelineDescriptor {
         label: Some("geodesic".into()),
         layout: vec![layout],
@@ -85,7 +62,7 @@ pub(super) fn pipeline_descriptor(
         fragment: Some(FragmentState {
             shader,
             entry_point: Some("fragment".into()),
-            targets: [Some(light)].into_iter().chain(traits.map(Some)).collect(),
+            targets: targets.map(Some).collect(),
             ..default()
         }),
         depth_stencil,

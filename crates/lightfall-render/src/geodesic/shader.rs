@@ -1,13 +1,14 @@
 //! The shaders of the current scene and of the pinned one: which parts each is joined from, and
 //! whether its pipeline exists.
 
-use super::pipeline::{Destination, Traits};
+use super::pipeline::Destination;
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
 use crate::drawn_scene::DrawnScene;
 use crate::live_shaders::LiveShaders;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
+use bevy::render::render_resource::ColorWrites;
 use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::scene::{Projection, Scene, SkyMode};
@@ -112,11 +113,11 @@ pub(crate) fn select_geodesic_shaders(
         } else {
             Destination::Picture {
                 samples: chain.samples,
-                traits: match (chain.antialias, variant.antialias) {
-                    (false, _) => Traits::Absent,
-                    (true, false) => Traits::Kept,
-                    (true, true) => Traits::Written,
-                },
+                traits: chain.antialias.then_some(if variant.antialias {
+                    ColorWrites::ALL
+                } else {
+                    ColorWrites::empty()
+                }),
             }
         };
         let refined = variant.refined();

@@ -4,8 +4,7 @@ use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
 use crate::detail_limits::DetailLimits;
 use crate::graphics::{Graphics, create_buffer};
-use crate::star_catalogue::StarCatalogue;
-use crate::stars::{SceneStars, StarPass, StarWriter};
+use crate::stars::{SceneStars, StarCatalogue, StarLists, StarWriter};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
@@ -35,7 +34,7 @@ pub(super) struct SideWriter<'a> {
     pub(super) layout: &'a BindGroupLayoutDescriptor,
     pub(super) errors: &'a ErrorMap,
     pub(super) limits: DetailLimits,
-    pub(super) stars: &'a mut StarPass,
+    pub(super) lists: &'a mut StarLists,
     pub(super) catalogue: StarCatalogue,
     /// The frame, as one of those that are averaged.
     pub(super) frame: &'a Frame,
@@ -119,7 +118,7 @@ impl Side {
         };
         let SideWriter {
             shared,
-            stars: pass,
+            lists,
             catalogue,
             limits,
             graphics,
@@ -138,7 +137,7 @@ impl Side {
             &self.uniform,
             pipelines.stars,
             StarWriter {
-                pass,
+                lists,
                 catalogue,
                 limits: *limits,
                 spectrum,

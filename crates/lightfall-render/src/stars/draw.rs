@@ -1,11 +1,12 @@
 //! The pass that runs the kernels of stars, before anything else is drawn.
 
-use super::kernels::{StarPass, add_shaders};
+use super::StarCatalogue;
+use super::kernels::add_shaders;
+use super::list::StarLists;
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::AlwaysDraw;
 use crate::geodesic::GeodesicPass;
 use crate::graphics::run_compute_pass;
-use crate::star_catalogue::StarCatalogue;
 use bevy::core_pipeline::core_3d::main_opaque_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
@@ -17,12 +18,9 @@ use bevy::render::{GpuResourceAppExt, RenderApp};
 pub(crate) fn plugin(app: &mut App) {
     add_shaders(app);
     app.add_plugins(ExtractResourcePlugin::<StarCatalogue>::default());
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
-        return;
-    };
-    render_app
-        // Pipelines and buffers belong to a device: a new one begins without any.
-        .init_gpu_resource::<StarPass>()
+    app.sub_app_mut(RenderApp)
+        // Buffers belong to a device: a new one begins without any.
+        .init_gpu_resource::<StarLists>()
         .add_systems(
             Core3d,
             draw_stars

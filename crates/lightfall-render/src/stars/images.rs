@@ -1,7 +1,7 @@
 //! The resources of one scene's stars on the GPU: numbers, images and sums. A comparison has two.
 
-use super::kernels::{StarPass, StarPipelines};
-use super::list::GpuStarList;
+use super::kernels::{StarPipelines, layout};
+use super::list::{GpuStarList, StarLists};
 use crate::detail_limits::DetailLimits;
 use crate::graphics::{Graphics, create_buffer};
 use bevy::prelude::*;
@@ -82,7 +82,7 @@ impl SceneStars {
 
 /// The resources for writing a scene's stars to the GPU.
 pub(crate) struct StarWriter<'a> {
-    pub(crate) pass: &'a mut StarPass,
+    pub(crate) lists: &'a mut StarLists,
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) limits: DetailLimits,
     pub(crate) spectrum: &'a Buffer,
@@ -110,8 +110,9 @@ impl SceneStars {
         let Ok(depth) = Depth::new(scene, writer.limits.faintest_star) else {
             return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
         };
-        let lists = &mut writer.pass.lists;
-        let list = lists.get(writer.catalogue, scene.sky.seed, depth.last, device);
+        let list = writer
+            .lists
+            .get(writer.catalogue, scene.sky.seed, depth.last, device);
         // Pixels may be so large that no star stands out, and a catalogue may have none. No binding
         // may be empty.
         if list.stars.is_empty() {
@@ -215,7 +216,7 @@ impl SceneStars {
                     Some(BindGroupEntry { binding, resource })
                 })
                 .collect();
-            let layout = cache.get_bind_group_layout(writer.pass.layout(kernel));
+            let layout = cache.get_bind_group_layout(&layout(kernel));
             drawn.bind_groups[kernel as usize] = entries
                 .map(|entries| device.create_bind_group(kernel.entry_point(), &layout, &entries));
         }

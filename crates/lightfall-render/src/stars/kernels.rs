@@ -1,10 +1,8 @@
 //! The kernels of stars: their layouts and pipelines.
 
-use super::list::StarLists;
-use crate::graphics::queue_compute_pipeline;
+use crate::graphics::ComputePipelines;
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid::Uuid;
-use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
@@ -15,15 +13,6 @@ use std::marker::PhantomData;
 const CANDIDATE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
 const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
 
-/// The layouts and pipelines of the kernels, and the lists of stars.
-#[derive(Resource)]
-pub(crate) struct StarPass {
-    layouts: [BindGroupLayoutDescriptor; StarKernel::ALL.len()],
-    /// The pipelines queued so far.
-    pipelines: HashMap<(StarKernel, AssetId<Shader>), CachedComputePipelineId>,
-    pub(super) lists: StarLists,
-}
-
 /// The pipelines of a scene's stars, in the order of [`StarKernel::ALL`]; `None` where the scene has no
 /// use for a kernel.
 #[derive(Clone, Copy)]
@@ -33,64 +22,40 @@ pub(crate) struct StarPipelines {
     pub(super) reloads: u32,
 }
 
-impl Default for StarPass {
-    fn default() -> Self {
-        Self {
-            layouts: StarKernel::ALL.map(|kernel| {
-                BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
-            }),
-            pipelines: HashMap::default(),
-            lists: StarLists::default(),
-        }
-    }
+/// The layout of a kernel's bindings.
+pub(super) fn layout(kernel: StarKernel) -> BindGroupLayoutDescriptor {
+    BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
 }
 
-impl StarPass {
-    /// The layout of a kernel's bindings.
-    pub(super) fn layout(&self, kernel: StarKernel) -> &BindGroupLayoutDescriptor {
-        &self.layouts[kernel as usize]
-    }
-
+impl StarPipelines {
     /// The pipelines with these shaders of kernels, and with those that are the same for all scenes
     /// with this projection.
-    pub(crate) fn pipelines<'a>(
-        &mut self,
+    pub(crate) fn queue<'a>(
         shaders: impl Iterator<Item = (StarKernel, &'a Handle<Shader>)> + Clone,
         projection: Projection,
         reloads: u32,
+        pipelines: &mut ComputePipelines,
         cache: &PipelineCache,
-    ) -> StarPipelines {
+    ) -> Self {
         let by_mesh = shaders
             .clone()
             .any(|(kernel, _)| kernel == StarKernel::TraceMesh);
         let finding = by_mesh.then_some(StarKernel::FINDING_CANDIDATES);
         let finding = finding.into_iter().flatten();
-        let mut pipelines = [None; StarKernel::ALL.len()];
         let [candidates, splat] =
             [CANDIDATE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
         let all = shaders
             .map(|(kernel, shader)| (kernel, shader.clone()))
             .chain(finding.map(|kernel| (kernel, candidates.clone())))
             .chain([(StarKernel::Splat, splat)]);
+        let mut ids = [None; StarKernel::ALL.len()];
         for (kernel, shader) in all {
-            let layout = &self.layouts[kernel as usize];
-            let id = *self
-                .pipelines
-                .entry((kernel, shader.id()))
-                .or_insert_with(|| {
-                    let layouts = vec![layout.clone()];
-                    queue_compute_pipeline(cache, kernel.entry_point(), layouts, shader)
-                });
-            pipelines[kernel as usize] = Some(id);
+            let id = pipelines.queue(cache, kernel.entry_point(), &[&layout(kernel)], &shader);
+            ids[kernel as usize] = Some(id);
         }
-        StarPipelines {
-            ids: pipelines,
-            reloads,
-        }
+        Self { ids, reloads }
     }
-}
 
-impl StarPipelines {
     /// The kernels and their pipelines, in the order in which they run.
     pub(super) fn kernels(self) -> impl Iterator<Item = (StarKernel, CachedComputePipelineId)> {
         let pairs = StarKernel::ALL.into_iter().zip(self.ids);

@@ -1,5 +1,6 @@
 //! The list of stars on the GPU, one for each seed and depth that is in use.
 
+use bevy::prelude::Resource;
 use bevy::render::render_resource::{Buffer, BufferInitDescriptor, BufferUsages};
 use bevy::render::renderer::RenderDevice;
 use lightfall_core::gpu::stars::{PackedStars, index_bytes};
@@ -13,7 +14,7 @@ const STEPS_PER_MAGNITUDE: f64 = 2.0;
 const MAX_LISTS: usize = 2;
 
 /// The lists in use, the most recently used last.
-#[derive(Default)]
+#[derive(Resource, Default)]
 pub(crate) struct StarLists(Vec<(Key, Arc<GpuStarList>)>);
 
 /// What a list depends on, besides the catalogue: the seed, and the depth in steps.

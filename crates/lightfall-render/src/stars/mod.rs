@@ -10,4 +10,20 @@ mod list;
 
 pub(crate) use draw::plugin;
 pub(crate) use images::{SceneStars, StarWriter};
-pub(crate) use kernels::{StarPass, StarPipelines};
+pub(crate) use kernels::StarPipelines;
+pub(crate) use list::StarLists;
+
+use bevy::prelude::*;
+use bevy::render::extract_resource::ExtractResource;
+use lightfall_core::optics::stars::Catalogue;
+
+/// The catalogue of bright stars, which the sky mode `stars` shows. It stays the same as long as the
+/// program runs.
+#[derive(Resource, Clone, Copy, Debug, Deref, ExtractResource)]
+pub struct StarCatalogue(pub &'static Catalogue);
+
+impl Default for StarCatalogue {
+    fn default() -> Self {
+        Self(Catalogue::built_in())
+    }
+}

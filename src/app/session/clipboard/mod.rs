@@ -70,14 +70,8 @@ fn serve_text_fields(
     clipboard: Res<Clipboard>,
     mut toast: ResMut<Toast>,
 ) {
-    let pasted = match clipboard.next_text() {
-        Some(Ok(text)) => Some(text),
-        Some(Err(fault)) => {
-            toast.say(fault);
-            None
-        }
-        None => None,
-    };
+    let answer = clipboard.next_text();
+    let pasted = answer.and_then(|text| text.map_err(|fault| toast.say(fault)).ok());
     // A text that comes after its field was left is dropped.
     if !typing.0 {
         return;

@@ -1,10 +1,7 @@
 //! The command line that opens a scene.
 
 use crate::app::session::clipboard::Clipboard;
-use bevy::app::App;
 use lightfall_core::scene::{Changes, Scene};
-
-pub(crate) fn plugin(_: &mut App) {}
 
 /// Copies the command line, and says so.
 pub(crate) fn copy_link(scene: &Scene, clipboard: &Clipboard) -> String {

@@ -10,4 +10,4 @@ pub(crate) use address::{copy_link, plugin};
 #[cfg(not(target_arch = "wasm32"))]
 pub use command_line::command_line;
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use command_line::{copy_link, plugin};
+pub(crate) use command_line::copy_link;

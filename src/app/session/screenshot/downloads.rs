@@ -48,6 +48,6 @@ fn download_picture(captured: On<ScreenshotCaptured>, mut editor: SceneEditor) {
         browser::download(&name, &png)?;
         Ok(format!("Downloaded {name}, {} x {} pixels", size.x, size.y))
     };
-    editor.say(download().unwrap_or_else(|reason: String| format!("Nothing is saved: {reason}")));
-    editor.keep_saying_for(SAVED);
+    let said = download().unwrap_or_else(|reason: String| format!("Nothing is saved: {reason}"));
+    editor.say_for(SAVED, said);
 }

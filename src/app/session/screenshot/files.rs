@@ -63,8 +63,7 @@ fn save_picture(
         };
         let scenes = Box::new([scene, drawn]);
         writer.0.ask(Order::Picture(scenes, *stars));
-        editor.say("Saving the picture");
-        editor.keep_saying_for(MAX_SAVING);
+        editor.say_for(MAX_SAVING, "Saving the picture");
     }
 }
 
@@ -89,8 +88,7 @@ fn write_window(
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
     if let Some(answer) = writer.0.latest_answer() {
-        toast.say(answer);
-        toast.keep_for(SAVED);
+        toast.say_for(SAVED, answer);
     }
 }
 
@@ -111,41 +109,17 @@ fn write(order: Order, folder: &Path) -> Result<String, String> {
         }
         Order::Window(scene, image) => {
             let (size, rgb) = pixels(*image)?;
-            let still = Still {
-                width: size.x,
-                height: size.y,
-                rgb,
-            };
-            (*scene, still)
+            (*scene, Still { size, rgb })
         }
     };
-    let file = write_picture(&still, folder, &scene)?;
-    Ok(format!(
-        "Saved {}, {} x {} pixels",
-        file.display(),
-        still.width,
-        still.height
-    ))
-}
-
-/// Writes a picture of a scene into a folder and returns its file.
-///
-/// # Errors
-/// The picture cannot be encoded or written; one sentence.
-fn write_picture(still: &Still, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
     let file = reserve_file(folder, &scene.name)?;
-    let done = picture::write_png(
-        &file,
-        still.width,
-        still.height,
-        &still.rgb,
-        &scene.to_preset(),
-    );
-    if done.is_err() {
+    picture::write_png(&file, &still, &scene.to_preset()).map_err(|error| {
         // The file is still empty: it only reserved the name.
         std::fs::remove_file(&file).ok();
-    }
-    done.map(|()| file).map_err(|error| error.to_string())
+        error.to_string()
+    })?;
+    let UVec2 { x, y } = still.size;
+    Ok(format!("Saved {}, {x} x {y} pixels", file.display()))
 }
 
 /// Creates an empty file for a picture of the scene with this name, so that the picture replaces no

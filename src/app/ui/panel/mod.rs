@@ -99,7 +99,7 @@ fn show_panel(
     clipboard: Res<Clipboard>,
 ) -> Result {
     if !overlays.shows_panel() {
-        rebinding.stop();
+        rebinding.0 = None;
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
@@ -121,7 +121,7 @@ fn show_panel(
         });
         ui.separator();
         if *page != Page::Settings {
-            rebinding.stop();
+            rebinding.0 = None;
         }
         egui::ScrollArea::both()
             .id_salt(*page as u8)

@@ -213,7 +213,7 @@ fn key_table(
     grid.show(ui, |ui| {
         for control in CONTROLS.iter().filter(|control| control.group == group) {
             let keys = bindings.label_of(control);
-            let waits = rebinding.control() == Some(control.id);
+            let waits = rebinding.0 == Some(control.id);
             let text = match keys.as_str() {
                 _ if waits => "press a key",
                 "" => "none",
@@ -221,7 +221,7 @@ fn key_table(
             };
             let button = egui::Button::selectable(waits, text);
             if ui.add_sized([110.0, 20.0], button).clicked() {
-                rebinding.start(control.id);
+                rebinding.0 = Some(control.id);
             }
             if let Some(pad_bindings) = pad_bindings {
                 ui.weak(pad_bindings.label_of(control));
@@ -250,7 +250,7 @@ fn bind_pressed<'a, B: Bindable>(
     rebinding: &mut Rebinding,
     pressed: impl IntoIterator<Item = &'a B>,
 ) {
-    let Some(id) = rebinding.control() else {
+    let Some(id) = rebinding.0 else {
         return;
     };
     let Some(pressed) = pressed.into_iter().find(|input| input.name().is_some()) else {
@@ -260,5 +260,5 @@ fn bind_pressed<'a, B: Bindable>(
     if !cancels {
         bindings.bind(id, *pressed);
     }
-    rebinding.stop();
+    rebinding.0 = None;
 }
