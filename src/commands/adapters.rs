@@ -13,12 +13,8 @@ pub(super) fn list_adapters() -> Result<(), Stop> {
         .map(|adapter| format!("{adapter}\n"))
         .collect();
     print(&lines)?;
-    let hidden: Vec<String> = gpu::hidden_adapters()
-        .iter()
-        .map(ToString::to_string)
-        .collect();
-    if !hidden.is_empty() {
-        say(format_args!("lightfall: {}", gpu::hidden_sentence(&hidden)));
+    if let Some(hidden) = gpu::about_hidden_adapters() {
+        say(format_args!("lightfall: {hidden}"));
     }
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! The circumstances of a measurement: machine, program and command line.
 
-use super::cli::EntryArg;
 use lightfall_core::gpu::Gpu;
 use lightfall_lab::bench::Plan;
 use lightfall_lab::circumstances::{Circumstances, date};
@@ -28,13 +27,10 @@ pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstanc
     }
 }
 
-/// What the plan is measured on, with this entry.
-pub(super) fn circumstances_of(plan: &Plan, gpu: &Gpu, entry: EntryArg) -> Circumstances {
-    let entry = match entry {
-        EntryArg::Compute => "compute",
-        EntryArg::Fragment => "fragment",
-    };
-    circumstances(gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
+/// What the plan is measured on.
+pub(super) fn circumstances_of(plan: &Plan, gpu: &Gpu) -> Circumstances {
+    let size = format!("{}x{}", plan.size.x, plan.size.y);
+    circumstances(gpu, size, plan.stage.word())
 }
 
 /// The revision of the sources, if the environment variable LIGHTFALL_COMMIT names it. Git is not

@@ -2,14 +2,13 @@
 
 use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
-use super::output::{create_report_folder, print, write_report, write_tables};
+use super::output::{create_report_folder, publish};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::numbers::counted;
 use lightfall_core::scene::Method;
-use lightfall_lab::export::{csv, json};
 use lightfall_lab::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
     markdown, matrix_work, measure_delays, measure_matrix,
@@ -27,7 +26,7 @@ const SAMPLE_SHARE: f64 = 0.03;
 
 /// Measures the matrix, or hunts. Prints and writes the result.
 pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
-    create_report_folder(args.out.as_deref())?;
+    create_report_folder(&args.report)?;
     let gpu = device()?;
     if let Some(rays) = args.hunt {
         return hunt(
@@ -73,12 +72,8 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     let verdicts = measured.map_err(Stop::failed)?;
 
     let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
-    let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &verdicts);
-        write_tables(folder, "extremes", [&csv, &json, &markdown])?;
-    }
-    print(if args.json { &json } else { &markdown })?;
+    let text = ("md", &*markdown(&verdicts));
+    publish(&args.report, "extremes", &circumstances, &verdicts, text)?;
     let is_solved = |method: &str| {
         // Mino at its tightest setting is called "mino, tightest".
         let word = method.split(',').next().unwrap_or_default();
@@ -114,12 +109,8 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     let rows = measured.map_err(Stop::failed)?;
 
     let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
-    let (json, table) = (json(&circumstances, &rows), delays_table(&rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "delays", [&csv, &json, &table])?;
-    }
-    print(if args.json { &json } else { &table })?;
+    let text = ("md", &*delays_table(&rows));
+    publish(&args.report, "delays", &circumstances, &rows, text)?;
     let sum = |of: fn(&CellDelays) -> usize| rows.iter().map(of).sum::<usize>();
     let unexplained = sum(|row| row.unexplained);
     say(format_args!(
@@ -175,16 +166,8 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
         ),
         "compute",
     );
-    let (json, text) = (
-        json(&circumstances, &rows),
-        hunt_text(&circumstances, &rows),
-    );
-    if let Some(folder) = &args.out {
-        write_report(folder, "hunt.csv", &csv(&circumstances, &rows))?;
-        write_report(folder, "hunt.json", &json)?;
-        write_report(folder, "hunt.txt", &text)?;
-    }
-    print(if args.json { &json } else { &text })?;
+    let text = ("txt", &*hunt_text(&circumstances, &rows));
+    publish(&args.report, "hunt", &circumstances, &rows, text)?;
     if unexplained > 0 {
         return Err(Stop::failed(format!(
             "rays beyond their tolerance that nothing explains: {unexplained}"

@@ -1,6 +1,9 @@
 //! The rows of a report that takes minutes, kept while it is measured: a run that is stopped leaves
 //! them in a file, and the same run goes on after them.
 
+use super::cli::ReportArgs;
+use super::output::publish;
+use super::stop::Stop;
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::csv;
 use lightfall_lab::import::Report;
@@ -16,35 +19,47 @@ const ENDING: &str = "csv.partial";
 const MAX_BYTES: u64 = 1 << 26;
 
 /// The rows of a report, so far.
-pub(super) struct KeptRows<T> {
-    /// None if the report is not written to a folder.
-    file: Option<PathBuf>,
-    circumstances: Circumstances,
+pub(super) struct KeptRows<'a, T> {
+    args: &'a ReportArgs,
+    /// The name of the report's files.
+    name: &'static str,
+    pub(super) circumstances: Circumstances,
     rows: Vec<T>,
     /// Whether it has been said that the file cannot be written.
     warned: bool,
 }
 
-impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
-    /// The rows that an earlier run under the same circumstances has left in the folder. It says on
-    /// standard error how many there are, or why they do not count.
-    pub(super) fn open(folder: Option<&Path>, name: &str, circumstances: &Circumstances) -> Self {
-        let file = folder.map(|folder| folder.join(format!("{name}.{ENDING}")));
-        let rows = file
-            .as_deref()
-            .and_then(|file| rows_in(file, circumstances));
-        if let (Some(file), None) = (&file, &rows) {
-            say(format_args!(
-                "lightfall: a run that is stopped leaves its rows in {}, and the same command goes on after them",
-                file.display()
-            ));
-        }
-        Self {
-            file,
-            circumstances: circumstances.clone(),
-            rows: rows.unwrap_or_default(),
+impl<'a, T: Clone + Serialize + DeserializeOwned> KeptRows<'a, T> {
+    /// The rows that an earlier run under the same circumstances has left in the folder of the
+    /// report. It says on standard error how many there are, or why they do not count.
+    pub(super) fn open(
+        args: &'a ReportArgs,
+        name: &'static str,
+        circumstances: Circumstances,
+    ) -> Self {
+        let mut kept = Self {
+            args,
+            name,
+            circumstances,
+            rows: Vec::new(),
             warned: false,
+        };
+        if let Some(file) = kept.file() {
+            match rows_in(&file, &kept.circumstances) {
+                Some(rows) => kept.rows = rows,
+                None => say(format_args!(
+                    "lightfall: a run that is stopped leaves its rows in {}, and the same command goes on after them",
+                    file.display()
+                )),
+            }
         }
+        kept
+    }
+
+    /// The file of the rows. `None` if the report is not written to a folder.
+    fn file(&self) -> Option<PathBuf> {
+        let folder = self.args.out.as_ref()?;
+        Some(folder.join(format!("{}.{ENDING}", self.name)))
     }
 
     /// The rows that are known.
@@ -66,9 +81,9 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
 
     /// Writes the file, or says once that it cannot be written: the measurement goes on.
     fn write(&mut self) {
-        let Some(file) = &self.file else { return };
+        let Some(file) = self.file() else { return };
         let text = csv(&self.circumstances, &self.rows);
-        if let Err(error) = storage::write_atomically(file, text.as_bytes())
+        if let Err(error) = storage::write_atomically(&file, text.as_bytes())
             && !self.warned
         {
             self.warned = true;
@@ -78,9 +93,17 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
         }
     }
 
-    /// Removes the file, after the finished report has been written.
-    pub(super) fn remove(self) {
-        if let Some(file) = self.file.filter(|file| storage::exists(file))
+    /// Prints and writes the finished report of these rows, with a table of them, and removes the
+    /// file.
+    pub(super) fn finish(self, rows: &[T], table: &str) -> Result<(), Stop> {
+        publish(
+            self.args,
+            self.name,
+            &self.circumstances,
+            rows,
+            ("md", table),
+        )?;
+        if let Some(file) = self.file().filter(|file| storage::exists(file))
             && let Err(error) = storage::remove(&file)
         {
             say(format_args!(
@@ -88,6 +111,7 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
                 file.display()
             ));
         }
+        Ok(())
     }
 }
 

@@ -1,8 +1,12 @@
 //! Results of commands: on standard output, and as files in a folder of reports.
 
+use super::cli::ReportArgs;
 use super::stop::Stop;
 use lightfall_core::accuracy::rays::is_closed_pipe;
+use lightfall_lab::circumstances::Circumstances;
+use lightfall_lab::export::{csv, json};
 use lightfall_platform::storage;
+use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -29,8 +33,10 @@ pub(super) fn output_result(written: io::Result<()>) -> Result<(), Stop> {
 
 /// Creates the folder of `--out` and checks that it accepts files, before any work is done for its
 /// reports.
-pub(super) fn create_report_folder(folder: Option<&Path>) -> Result<(), Stop> {
-    let Some(folder) = folder else { return Ok(()) };
+pub(super) fn create_report_folder(args: &ReportArgs) -> Result<(), Stop> {
+    let Some(folder) = &args.out else {
+        return Ok(());
+    };
     let fault = |reason| Stop::failed(format!("--out {}: {reason}", folder.display()));
     std::fs::create_dir_all(folder).map_err(|error| {
         fault(
@@ -55,14 +61,21 @@ pub(super) fn write_report(folder: &Path, name: &str, text: &str) -> Result<(), 
     storage::write_atomically(&folder.join(name), text.as_bytes()).map_err(Stop::failed)
 }
 
-/// Writes the tables of a report: NAME.csv, NAME.json and NAME.md.
-pub(super) fn write_tables(
-    folder: &Path,
+/// Writes the files of a report, NAME.csv, NAME.json and its text for people with another ending.
+/// Prints the text or the JSON.
+pub(super) fn publish(
+    args: &ReportArgs,
     name: &str,
-    [csv, json, markdown]: [&str; 3],
+    circumstances: &Circumstances,
+    rows: &[impl Serialize],
+    (ending, text): (&str, &str),
 ) -> Result<(), Stop> {
-    for (ending, text) in [("csv", csv), ("json", json), ("md", markdown)] {
-        write_report(folder, &format!("{name}.{ending}"), text)?;
+    let json = json(circumstances, rows);
+    if let Some(folder) = &args.out {
+        let csv = csv(circumstances, rows);
+        for (ending, text) in [("csv", &*csv), ("json", &*json), (ending, text)] {
+            write_report(folder, &format!("{name}.{ending}"), text)?;
+        }
     }
-    Ok(())
+    print(if args.json { &json } else { text })
 }

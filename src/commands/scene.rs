@@ -52,7 +52,8 @@ pub(super) fn stars(args: &SceneArgs) -> Result<&'static Catalogue, Stop> {
     match &args.stars {
         None => Ok(Catalogue::built_in()),
         Some(file) => {
-            let catalogue = storage::read_stars(file).map_err(Stop::refused)?;
+            let catalogue = storage::read_stars(file)
+                .map_err(|error| Stop::refused(format!("--stars {error}")))?;
             for remark in catalogue.remarks() {
                 say(format_args!(
                     "lightfall: --stars {}: {remark}",

@@ -12,11 +12,9 @@ use lightfall_core::gpu::GpuScene;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::Output;
-use lightfall_core::text::decode;
 use lightfall_platform::log::say;
-use lightfall_platform::storage;
+use lightfall_platform::storage::{self, TextError};
 use rayon::prelude::*;
-use std::fs::File;
 use std::io::{self, BufWriter, Read};
 use std::path::Path;
 
@@ -65,25 +63,13 @@ const MAX_BYTES: u64 = 1 << 30;
 
 /// The rays of a file, or of standard input for `-`.
 fn read_rays(file: &Path) -> Result<Vec<DVec3>, Stop> {
-    let (input, name): (Box<dyn Read>, String) = if file.as_os_str() == "-" {
-        (Box::new(io::stdin()), "standard input".into())
+    let (text, name) = if file.as_os_str() == "-" {
+        (read_standard_input(), "standard input".into())
     } else {
-        let name = file.display().to_string();
-        let file = File::open(file)
-            .map_err(|error| Stop::refused(format!("{name}: cannot be read: {error}")))?;
-        (Box::new(file), name)
+        let text = storage::read_text(file, MAX_BYTES);
+        (text, file.display().to_string())
     };
-    let mut bytes = Vec::new();
-    input
-        .take(MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| Stop::refused(format!("{name}: cannot be read: {error}")))?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(Stop::refused(format!(
-            "{name}: is longer than {MAX_BYTES} bytes"
-        )));
-    }
-    let text = decode(bytes).map_err(|error| Stop::refused(format!("{name}: {error}")))?;
+    let text = text.map_err(|fault| Stop::refused(format!("{name}: {fault}")))?;
     let directions = RayReader::new(text.as_bytes(), &name)
         .collect::<Result<Vec<_>, _>>()
         .map_err(Stop::refused)?;
@@ -94,6 +80,12 @@ fn read_rays(file: &Path) -> Result<Vec<DVec3>, Stop> {
         )));
     }
     Ok(directions)
+}
+
+fn read_standard_input() -> Result<String, TextError> {
+    let mut bytes = Vec::new();
+    io::stdin().take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    storage::text_of(bytes, MAX_BYTES)
 }
 
 fn write_traces(traces: &[Trace]) -> io::Result<()> {

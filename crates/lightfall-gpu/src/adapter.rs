@@ -134,7 +134,7 @@ fn no_adapter() -> GpuError {
 pub const SHOW_HIDDEN: &str = "WGPU_ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER";
 
 /// The adapters that wgpu hides because their drivers do not claim to conform to Vulkan.
-pub fn hidden_adapters() -> Vec<Listed> {
+fn hidden_adapters() -> Vec<Listed> {
     let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     let all = Instance::new(wgpu::InstanceDescriptor {
         backends: backends() & Backends::VULKAN,
@@ -145,6 +145,11 @@ pub fn hidden_adapters() -> Vec<Listed> {
     let shown = adapters();
     let is_hidden = |listed: &Listed| shown.iter().all(|other| other.name != listed.name);
     list(all).into_iter().filter(is_hidden).collect()
+}
+
+/// What is said of hidden adapters, and how to use one. `None` if there are none.
+pub fn about_hidden_adapters() -> Option<String> {
+    hidden_error(|_| true).map(|error| error.to_string())
 }
 
 /// The error about hidden adapters whose names are asked for, if there are any.

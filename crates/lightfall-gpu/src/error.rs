@@ -16,7 +16,10 @@ pub enum GpuError {
     #[error("{}", driver_advice::without_adapter(OS))]
     NoAdapter,
     /// Only hidden adapters are there, or only hidden ones have the requested name.
-    #[error("{}", hidden_sentence(.names))]
+    #[error(
+        "{}: found, but hidden, because the driver does not claim to conform to Vulkan; set {SHOW_HIDDEN}=1 to use it, \
+         and let `lightfall doctor` check what it draws", .names.join("; ")
+    )]
     HiddenAdapters { names: Vec<String> },
     /// There are adapters, but none of them uses the requested interface.
     #[error(
@@ -107,13 +110,4 @@ impl GpuError {
     pub(super) fn device_failed(reason: impl std::fmt::Display) -> Self {
         Self::Device(reason.to_string())
     }
-}
-
-/// What is said of adapters that wgpu hides, and how to use one.
-pub fn hidden_sentence(names: &[String]) -> String {
-    format!(
-        "{}: found, but hidden, because the driver does not claim to conform to Vulkan; set \
-         {SHOW_HIDDEN}=1 to use it, and let `lightfall doctor` check what it draws",
-        names.join("; ")
-    )
 }

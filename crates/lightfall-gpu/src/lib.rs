@@ -31,7 +31,7 @@ pub mod timing;
 
 pub use accumulation::Accumulation;
 pub use adapter::{
-    AdapterName, Listed, adapters, check_adapter, chosen, hidden_adapters, kind,
+    AdapterName, Listed, about_hidden_adapters, adapters, check_adapter, chosen, kind,
     named_by_environment, prefer,
 };
 pub use antialias::{EdgeTraits, Edges};
@@ -40,7 +40,7 @@ pub use call_size::{bands, max_pixels_of_call};
 pub use device::Gpu;
 pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};
-pub use error::{GpuError, hidden_sentence};
+pub use error::GpuError;
 pub use error_map::{ERROR_MAP_SIZE, ErrorMap};
 pub use fallback::{WorkingAdapter, working_adapter};
 pub use inputs::Inputs;

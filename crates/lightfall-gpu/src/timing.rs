@@ -40,32 +40,23 @@ const MAX_SAMPLES: usize = 200;
 /// The time limit of all samples of a slow method, as a multiple of [`Effort::max_time`].
 const MAX_OVERTIME: u32 = 8;
 
-/// The pipeline stage that traces the rays.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Stage {
-    /// A compute shader, which compares methods fairly on devices with few graphics units too.
-    #[default]
-    Compute,
-    /// A fragment shader, as in the picture.
-    Fragment,
+lightfall_model::words! {
+    /// The pipeline stage that traces the rays.
+    pub enum Stage {
+        /// The compute entry: compares methods fairly on every device.
+        Compute = "compute",
+        /// The fragment entry, as in pictures.
+        Fragment = "fragment",
+    }
 }
 
-/// The clock that the times were read from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Clock {
-    /// The GPU's timestamps, around one run.
-    Timestamps,
-    /// The CPU's clock, around many runs.
-    Wall,
-}
-
-impl Clock {
-    /// The clock's name in reports.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Timestamps => "timestamps",
-            Self::Wall => "wall",
-        }
+lightfall_model::words! {
+    /// The clock that the times were read from.
+    pub enum Clock {
+        /// The GPU's timestamps, around one run.
+        Timestamps = "timestamps",
+        /// The CPU's clock, around many runs.
+        Wall = "wall",
     }
 }
 

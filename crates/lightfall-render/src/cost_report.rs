@@ -148,7 +148,7 @@ fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
 /// The kernels of the star pass, in the order in which they run.
 fn star_kernels(scene: &Scene, chain: Chain) -> impl Iterator<Item = &'static str> {
     let kernels = StarKernel::of(scene).filter(move |_| chain.stars);
-    kernels.map(StarKernel::entry_point)
+    kernels.map(StarKernel::word)
 }
 
 /// The shader files that these kernels have and the picture's shader does not.

@@ -51,9 +51,8 @@ pub fn pass_shaders(scene: &Scene) -> Vec<PassShader> {
     }
     if chain.stars {
         shaders.extend(
-            StarKernel::of(scene).map(|kernel| {
-                PassShader::new("stars", &[kernel.entry_point()], kernel.text(scene))
-            }),
+            StarKernel::of(scene)
+                .map(|kernel| PassShader::new("stars", &[kernel.word()], kernel.text(scene))),
         );
     }
     let compared = Variant {

@@ -4,7 +4,7 @@ use super::settings_fault::{SettingsFault, Unused};
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::MASSES;
-use lightfall_platform::storage;
+use lightfall_platform::storage::{self, TextError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -202,8 +202,9 @@ impl Settings {
     pub fn read_file(file: &Path) -> Result<Option<Self>, SettingsFault> {
         match storage::read_text(file, MAX_BYTES) {
             Ok(text) => Self::read(&text).map(Some),
-            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(SettingsFault::Wrong(format!("cannot be read: {error}"))),
+            Err(TextError::Unreadable(error)) if error.kind() == ErrorKind::NotFound => Ok(None),
+            Err(error @ TextError::Unreadable(_)) => Err(SettingsFault::Wrong(error.to_string())),
+            Err(fault) => Err(SettingsFault::Wrong(format!("cannot be read: it {fault}"))),
         }
     }
 

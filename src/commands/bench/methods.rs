@@ -3,7 +3,7 @@
 use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
-use crate::commands::output::{print, write_report, write_tables};
+use crate::commands::output::write_report;
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use glam::UVec2;
@@ -12,8 +12,6 @@ use lightfall_core::scene::Method;
 use lightfall_lab::bench::{
     AutoMargin, BenchScene, Measurement, Plan, Ranking, auto_margin, markdown, plot,
 };
-use lightfall_lab::circumstances::Circumstances;
-use lightfall_lab::export::{csv, json};
 use lightfall_picture::Studio;
 use lightfall_platform::log::say;
 
@@ -31,21 +29,16 @@ pub(super) fn bench_methods(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<
         plan.len(),
         gpu.info.name
     ));
-    let circumstances = circumstances_of(plan, gpu, args.entry);
-    let mut kept = KeptRows::open(args.out.as_deref(), "bench", &circumstances);
+    let mut kept = KeptRows::open(&args.report, "bench", circumstances_of(plan, gpu));
     let mut rows = measure(gpu, plan, &mut kept)?;
     if args.frames {
         time_frames(plan, &mut rows, &mut kept)?;
     }
 
-    let circumstances = Circumstances {
-        floor_ms: Some(plan.floor(gpu).map_err(Stop::failed)?),
-        ..circumstances
-    };
-    let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "bench", [&csv, &json, &markdown])?;
+    let circumstances = &mut kept.circumstances;
+    circumstances.floor_ms = Some(plan.floor(gpu).map_err(Stop::failed)?);
+    let markdown = markdown(circumstances, &rows);
+    if let Some(folder) = &args.report.out {
         let about = circumstances.about();
         for BenchScene { name, .. } in &plan.scenes {
             if let Some(svg) = plot(name, &about, &rows).map_err(Stop::failed)? {
@@ -53,13 +46,12 @@ pub(super) fn bench_methods(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<
             }
         }
     }
-    kept.remove();
     for scene in &plan.scenes {
         if let Some(margin) = auto_margin(&rows, &scene.name) {
             print_margin(&margin);
         }
     }
-    print(if args.json { &json } else { &markdown })
+    kept.finish(&rows, &markdown)
 }
 
 /// Measures what is planned and not known, and shows how far it has come.

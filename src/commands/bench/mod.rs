@@ -2,7 +2,6 @@
 
 mod methods;
 mod pictures;
-mod row_report;
 mod tables;
 
 use super::cli::BenchArgs;
@@ -13,9 +12,12 @@ use methods::bench_methods;
 use pictures::bench_pictures;
 use tables::{bench_delays, bench_light, bench_refinements};
 
+/// Share of the work after which the time of the rest is estimated.
+const SAMPLE_SHARE: f64 = 0.1;
+
 /// Measures, and prints and writes the report.
 pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
-    create_report_folder(args.out.as_deref())?;
+    create_report_folder(&args.report)?;
     let gpu = device()?;
     let plan = args.plan();
     if plan.is_empty() {

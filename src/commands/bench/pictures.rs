@@ -1,8 +1,10 @@
 //! `lightfall bench --pictures`: the error of whole pictures against their run time.
 
-use super::row_report::RowReport;
+use super::SAMPLE_SHARE;
 use crate::commands::circumstances::circumstances_of;
-use crate::commands::cli::{BenchArgs, EntryArg};
+use crate::commands::cli::BenchArgs;
+use crate::commands::kept_rows::KeptRows;
+use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
@@ -24,27 +26,26 @@ pub(super) fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result
         scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
         ..plan.clone()
     };
-    let circumstances = circumstances_of(plan, gpu, EntryArg::Fragment);
-    let left = |known: usize| {
-        let scenes = plan.scenes.len() - known / PICTURE_SETTINGS.len();
-        scenes as f64 * frames_of_a_scene()
-    };
-    let mut report = RowReport::begin(args, "pictures", circumstances, left);
+    let mut kept = KeptRows::open(&args.report, "pictures", circumstances_of(plan, gpu));
+    let scenes = plan.scenes.len() - kept.rows().len() / PICTURE_SETTINGS.len();
+    let work = scenes as f64 * frames_of_a_scene();
+    let mut progress = Progress::new("bench", work, SAMPLE_SHARE * work);
     for scene in &plan.scenes {
         // The rows of a scene share the truth, which takes the longest, so they are kept together.
         let is_known = |row: &PictureMeasurement| row.scene == scene.name;
-        if !report.rows().iter().any(is_known) {
+        if !kept.rows().iter().any(is_known) {
             let rows = measure_pictures(scene, plan.size, |setting| {
                 let PictureSetting { antialias, samples } = setting;
                 let refined = if antialias { ", edges refined" } else { "" };
-                let task = format!("{}, {samples} frames{refined}", scene.name);
-                report.advance(task, f64::from(samples));
+                progress.set_task(format!("{}, {samples} frames{refined}", scene.name));
+                progress.advance(f64::from(samples));
             })?;
-            report.keep(rows);
+            rows.into_iter().for_each(|row| kept.add(row));
         }
     }
-    let rows = report.rows();
-    report.finish(&rows, &pictures_table(&rows))
+    progress.finish();
+    let rows = kept.rows();
+    kept.finish(&rows, &pictures_table(&rows))
 }
 
 /// Number of frames that are drawn for the truth and all settings of a scene.
@@ -88,7 +89,6 @@ fn measure_pictures(
     done(PictureSetting::TRUTH);
     for setting in PICTURE_SETTINGS {
         let (brightness, picture_ms) = draw(setting).map_err(Stop::failed)?;
-        let PictureError { rms, p99, max } = PictureError::between(&brightness, &truth);
         let PictureSetting { antialias, samples } = setting;
         let one_ms = rows
             .first()
@@ -100,9 +100,7 @@ fn measure_pictures(
             samples,
             picture_ms,
             over_one: picture_ms / one_ms,
-            rms,
-            p99,
-            max,
+            error: PictureError::between(&brightness, &truth),
         });
     }
     Ok(rows)

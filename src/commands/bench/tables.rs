@@ -1,51 +1,79 @@
 //! The measurements of `lightfall bench` that make one table, row by row.
 
-use super::row_report::RowReport;
+use super::SAMPLE_SHARE;
 use crate::commands::circumstances::{circumstances, circumstances_of};
-use crate::commands::cli::{BenchArgs, EntryArg};
+use crate::commands::cli::BenchArgs;
+use crate::commands::kept_rows::KeptRows;
+use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::gpu::Gpu;
-use lightfall_lab::bench::{Plan, delay_table, light_table, refinement_table};
+use lightfall_core::gpu::{Gpu, GpuError};
+use lightfall_lab::bench::{
+    DelayMeasurement, LightMeasurement, Plan, RefinementMeasurement, delay_table, light_table,
+    refinement_table,
+};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 /// `lightfall bench --delay`: the error of the time between emission and arrival against the run
 /// time.
 pub(super) fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, args.entry);
-    let mut report = RowReport::of_rows(args, "delay", circumstances, plan.delay_rows());
-    let rows = plan.run_delays(gpu, &report.rows(), |row| {
-        let task = format!("{}, {}, {} nodes", row.scene, row.method, row.nodes);
-        report.add(row, task);
-    });
-    let rows = rows.map_err(Stop::failed)?;
-    report.finish(&rows, &delay_table(&rows))
+    let kept = KeptRows::open(&args.report, "delay", circumstances_of(plan, gpu));
+    let task =
+        |row: &DelayMeasurement| format!("{}, {}, {} nodes", row.scene, row.method, row.nodes);
+    let rows = plan.delay_rows();
+    bench_rows(kept, rows, task, delay_table, |known, done| {
+        plan.run_delays(gpu, known, done)
+    })
 }
 
 /// `lightfall bench --light`: the run time of a living disk's light over that of a smooth disk's.
 pub(super) fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, EntryArg::Compute);
-    let mut report = RowReport::of_rows(args, "light", circumstances, plan.light_rows());
-    let rows = plan.run_light(gpu, &report.rows(), |row| {
-        report.add(row, format!("{}, {}", row.scene, row.method));
-    });
-    let rows = rows.map_err(Stop::failed)?;
-    report.finish(&rows, &light_table(&rows))
+    let kept = KeptRows::open(&args.report, "light", circumstances_of(plan, gpu));
+    let task = |row: &LightMeasurement| format!("{}, {}", row.scene, row.method);
+    let rows = plan.light_rows();
+    bench_rows(kept, rows, task, light_table, |known, done| {
+        plan.run_light(gpu, known, done)
+    })
 }
 
 /// `lightfall bench --refine`: how far the article's methods can be refined.
 pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    if plan.refinement_rows() == 0 {
+    let rows = plan.refinement_rows();
+    if rows == 0 {
         return Err(Stop::refused(
             "no method of --methods can be refined in a scene of --scenes: only verlet and kerr-schild \
              have these settings, and verlet needs hole.spin = 0",
         ));
     }
     let circumstances = circumstances(gpu, "that of each scene".into(), "compute");
-    let mut report = RowReport::of_rows(args, "refine", circumstances, plan.refinement_rows());
-    let rows = plan.run_refinements(gpu, &report.rows(), |row| {
+    let kept = KeptRows::open(&args.report, "refine", circumstances);
+    let task = |row: &RefinementMeasurement| {
         let study = row.study.word();
-        let task = format!("{}, {}, {study} {}", row.scene, row.method, row.label());
-        report.add(row, task);
+        format!("{}, {}, {study} {}", row.scene, row.method, row.label())
+    };
+    bench_rows(kept, rows, task, refinement_table, |known, done| {
+        plan.run_refinements(gpu, known, done)
+    })
+}
+
+/// Measures so many rows, except those that are known, and prints and writes their report. `task`
+/// says what a row is, and `measure` gets the known rows and what is to be called with each new one.
+fn bench_rows<T: Clone + Serialize + DeserializeOwned>(
+    mut kept: KeptRows<T>,
+    count: usize,
+    task: impl Fn(&T) -> String,
+    table: fn(&[T]) -> String,
+    measure: impl FnOnce(&[T], &mut dyn FnMut(&T)) -> Result<Vec<T>, GpuError>,
+) -> Result<(), Stop> {
+    let known = kept.rows();
+    let left = count.saturating_sub(known.len()) as f64;
+    let mut progress = Progress::new("bench", left, SAMPLE_SHARE * left);
+    let measured = measure(&known, &mut |row| {
+        kept.add(row.clone());
+        progress.set_task(task(row));
+        progress.advance(1.0);
     });
-    let rows = rows.map_err(Stop::failed)?;
-    report.finish(&rows, &refinement_table(&rows))
+    progress.finish();
+    let rows = measured.map_err(Stop::failed)?;
+    kept.finish(&rows, &table(&rows))
 }

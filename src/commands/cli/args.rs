@@ -222,36 +222,28 @@ impl SceneArgs {
     /// A `--set` that is not of the form KEY=VALUE.
     pub fn overrides(&self) -> Result<Vec<Override>, SceneError> {
         let mut overrides = assignments(&self.sets)?;
-        overrides.extend(
-            self.spin
-                .as_ref()
-                .map(|spin| Override::new("--spin", "hole.spin", spin)),
-        );
-        overrides.extend(
-            self.method
-                .as_ref()
-                .map(|method| Override::new("--method", "method", method)),
-        );
-        let named = self.quality.as_deref().and_then(ArticleQuality::from_word);
-        overrides.extend(named.into_iter().flat_map(|named| {
-            let (scale, steps) = (
-                named.step_scale().to_string(),
-                named.max_steps().to_string(),
-            );
-            [
-                Override::new("--quality", "quality.step_scale", &scale),
-                Override::new("--quality", "quality.max_steps", &steps),
-            ]
-        }));
-        overrides.extend(
-            self.samples
-                .as_ref()
-                .map(|samples| Override::new("--samples", "picture.samples", samples)),
-        );
-        overrides.extend(self.cells.map(|cells| {
-            let bypass = if cells == Cells::Off { "true" } else { "false" };
-            Override::new("--cells", "picture.bypass", bypass)
-        }));
+        let quality = self.quality.as_deref().and_then(ArticleQuality::from_word);
+        let bypass = self.cells.map(|cells| cells == Cells::Off);
+        let short = [
+            ("--spin", "hole.spin", self.spin.clone()),
+            ("--method", "method", self.method.clone()),
+            (
+                "--quality",
+                "quality.step_scale",
+                quality.map(|named| named.step_scale().to_string()),
+            ),
+            (
+                "--quality",
+                "quality.max_steps",
+                quality.map(|named| named.max_steps().to_string()),
+            ),
+            ("--samples", "picture.samples", self.samples.clone()),
+            ("--cells", "picture.bypass", bypass.map(|on| on.to_string())),
+        ];
+        let given = short
+            .iter()
+            .filter_map(|(option, key, value)| Some(Override::new(option, key, value.as_ref()?)));
+        overrides.extend(given);
         Ok(overrides)
     }
 

@@ -3,10 +3,12 @@
 use super::args::SceneArgs;
 use super::number::whole_number;
 use super::size::size;
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glam::UVec2;
 use lightfall_core::gpu::timing::Stage;
 use lightfall_core::scene::{Method, presets};
+use lightfall_core::words::Words;
 use lightfall_lab::bench::{BenchScene, Plan, scenes};
 use std::path::PathBuf;
 
@@ -29,8 +31,8 @@ pub struct BenchArgs {
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// Entry point of the shader that is timed
-    #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
-    pub entry: EntryArg,
+    #[arg(long, value_parser = words::<Stage>(), default_value = Stage::Compute.word())]
+    pub entry: Stage,
     /// Number of rays whose error is measured in each scene [default: 8192, with --quick 512]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(16, 1_000_000))]
     pub rays: Option<u32>,
@@ -62,21 +64,20 @@ pub struct BenchArgs {
     /// least step. --out then writes refine.csv, refine.json and refine.md
     #[arg(long, conflicts_with_all = ["frames", "delay", "light", "pictures", "entry", "size"])]
     pub refine: bool,
+    /// Where the report goes.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// Where a report goes.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
-}
-
-/// The entry point of the shader that is timed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum EntryArg {
-    /// The compute entry: compares methods fairly on every device
-    Compute,
-    /// The fragment entry, as in pictures
-    Fragment,
 }
 
 /// The arguments of `lightfall extremes`.
@@ -111,12 +112,9 @@ pub struct ExtremesArgs {
     /// Seed of the hunt's random numbers: the same seed finds the same rays [default: 1]
     #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
     pub seed: Option<u64>,
-    /// Folder for the reports; it is created, and files of the same names are replaced
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Print JSON to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// Where the report goes.
+    #[command(flatten)]
+    pub report: ReportArgs,
 }
 
 /// The arguments of `lightfall doctor`.
@@ -156,12 +154,21 @@ impl BenchArgs {
         }
         plan.size = self.size.unwrap_or(plan.size);
         plan.rays = self.rays.map_or(plan.rays, |rays| rays as usize);
-        plan.stage = match self.entry {
-            EntryArg::Compute => Stage::Compute,
-            EntryArg::Fragment => Stage::Fragment,
+        plan.stage = if self.pictures {
+            Stage::Fragment
+        } else {
+            self.entry
         };
         plan
     }
+}
+
+/// Reads a word of an enumeration. The help lists them with their meanings.
+fn words<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let choices = T::CHOICES.iter();
+    let values = choices.map(|choice| PossibleValue::new(choice.word).help(choice.meaning));
+    PossibleValuesParser::new(values)
+        .map(|word| T::from_word(&word).expect("only these words are accepted"))
 }
 
 /// Reads a scene's number or name.

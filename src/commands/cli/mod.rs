@@ -8,7 +8,7 @@ mod size;
 pub use args::{
     Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
-pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
+pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
 
 use crate::app::NO_GAMEPAD;
 use clap::error::ErrorKind;

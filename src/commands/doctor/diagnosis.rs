@@ -6,7 +6,7 @@ use super::shaders::{FaultyShader, ShaderCheck};
 use super::system::System;
 
 use lightfall_core::gpu::{
-    AdapterName, Gpu, GpuError, Listed, adapters, driver_advice, hidden_adapters, hidden_sentence,
+    AdapterName, Gpu, GpuError, Listed, about_hidden_adapters, adapters, driver_advice,
 };
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::presets::{self, PRESETS};
@@ -154,10 +154,7 @@ impl Diagnosis {
         self.faults.extend(self.settings.fault());
         self.faults
             .extend(self.folders.iter().filter_map(Folder::fault));
-        let hidden: Vec<String> = hidden_adapters().iter().map(ToString::to_string).collect();
-        if !hidden.is_empty() {
-            self.remarks.push(hidden_sentence(&hidden));
-        }
+        self.remarks.extend(about_hidden_adapters());
         let unusable = self
             .adapters
             .iter()

@@ -3,7 +3,7 @@
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::stars::{
-    GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, candidate_shader,
+    GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, StarKernel, candidate_shader,
 };
 use lightfall_core::gpu::{
     Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality,
@@ -139,7 +139,7 @@ fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
 
 #[test]
 fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
-    let module = parsed(Variant::stars(&Scene::default()).source());
+    let module = parsed(StarKernel::Solve.source(&Scene::default()));
     assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
     let module = parsed(candidate_shader(Projection::Perspective).source());
     assert_same_layout!(

@@ -1,7 +1,7 @@
 //! The text of every shader, without a GPU.
 
 use crate::variants::every_variant;
-use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
+use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
 };
@@ -188,8 +188,11 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         let sky = pictures && variant.sky != SkyMode::Off;
         assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
         let light = matches!(variant.view, View::Colour | View::Unfinished);
-        let stars = matches!(variant.entry, Entry::Stars | Entry::StarInterpolation);
-        let lights_stars = stars || variant.entry == Entry::StarRefinement;
+        let stars = matches!(
+            variant.entry,
+            Entry::Star(StarKernel::Solve | StarKernel::Interpolate)
+        );
+        let lights_stars = stars || variant.entry == Entry::Star(StarKernel::RefineImage);
         let spectrum = lights_stars || pictures && light && (variant.disk || sky);
         assert_eq!(
             source.contains("var<uniform> spectrum"),

@@ -71,6 +71,6 @@ fn uniforms_of_every_kernel_of_stars_are_tables_where_old_lavapipe_writes_elsewh
             .iter()
             .filter_map(|binding| Some((*binding, *all.get(binding)?)))
             .collect();
-        assert_safe(kernel.entry_point(), &layout);
+        assert_safe(kernel.word(), &layout);
     }
 }

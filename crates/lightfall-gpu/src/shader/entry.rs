@@ -1,5 +1,11 @@
 //! The entry points of shaders.
 
+use crate::stars::StarKernel;
+use std::slice::from_ref;
+
+/// The entry points of the kernels of stars.
+const KERNELS: &[&str] = &StarKernel::WORDS;
+
 /// What a shader answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Entry {
@@ -13,16 +19,8 @@ pub enum Entry {
     Timed,
     /// The light of each pixel from a compute entry, for timing: entry point `timed`.
     TimedLight,
-    /// The images of stars, found by inversion: entry point `solve`.
-    Stars,
-    /// The rays of the mesh that finds images without an inversion: entry point `trace_mesh`.
-    StarMesh,
-    /// The images of candidates in smooth cells, by interpolation: entry point `interpolate`.
-    StarInterpolation,
-    /// The images of the other candidates, by rays: entry point `refine_image`.
-    StarRefinement,
-    /// The dimming of images behind the disk: entry point `dim`.
-    StarDimming,
+    /// A kernel of point stars: its own entry point.
+    Star(StarKernel),
 }
 
 impl Entry {
@@ -34,11 +32,7 @@ impl Entry {
             Self::Rays => &["rays"],
             Self::Timed => &["vertex", "timed", "fragment"],
             Self::TimedLight => &["timed"],
-            Self::Stars => &["solve"],
-            Self::StarMesh => &["trace_mesh"],
-            Self::StarInterpolation => &["interpolate"],
-            Self::StarRefinement => &["refine_image"],
-            Self::StarDimming => &["dim"],
+            Self::Star(kernel) => from_ref(&KERNELS[kernel as usize]),
         }
     }
 }

@@ -22,6 +22,7 @@ pub use files::ShaderFiles;
 pub use text::ShaderText;
 pub use tracer::Tracer;
 
+use crate::stars::StarKernel;
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::{
     DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Projection, Scene,
@@ -269,14 +270,11 @@ impl Variant {
         files.into_iter().map(|file| &*file.name).collect()
     }
 
-    /// Whether it is a kernel of stars.
-    pub fn finds_stars(self) -> bool {
-        let follows_no_rays = matches!(self.entry, Entry::Stars | Entry::StarInterpolation);
-        self.seeks_stars() || follows_no_rays || self.entry == Entry::StarDimming
-    }
-
     /// Whether it traces rays to the images of stars.
     fn seeks_stars(self) -> bool {
-        matches!(self.entry, Entry::StarMesh | Entry::StarRefinement)
+        matches!(
+            self.entry,
+            Entry::Star(StarKernel::TraceMesh | StarKernel::RefineImage)
+        )
     }
 }

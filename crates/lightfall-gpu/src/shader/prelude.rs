@@ -64,7 +64,7 @@ impl Variant {
         add_u32(&mut text, "PAGE_THORNE_LEN", disk::TABLE_LEN as u32);
         add_u32(&mut text, "MAX_STEP_BUDGET", MAX_STEP_BUDGET);
         add_spectrum_constants(&mut text);
-        if self.finds_stars() {
+        if matches!(self.entry, Entry::Star(_)) {
             add_star_constants(&mut text);
         }
         if self.structure {

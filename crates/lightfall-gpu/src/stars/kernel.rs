@@ -7,7 +7,7 @@ use crate::bindings::{
     ALL, CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES,
     STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
 };
-use crate::shader::{Entry, ShaderText, Variant};
+use crate::shader::{ShaderText, Variant};
 use lightfall_model::scene::Scene;
 use lightfall_optics::stars::images::MeshLayout;
 use wgpu::{BindGroupLayoutEntry, BindingType, BufferBindingType, ShaderStages};
@@ -19,43 +19,31 @@ const WRITTEN: BindingType = BindingType::Buffer {
     min_binding_size: None,
 };
 
-/// A kernel of stars.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum StarKernel {
-    /// Finds images by inversion.
-    Solve,
-    /// Traces the mesh.
-    TraceMesh,
-    /// Finds the candidates of each cell of the mesh.
-    FindCandidates,
-    /// Finds the candidates of cells that see much of the sky.
-    FindWideCandidates,
-    /// Keeps the candidates in bent cells whose image may lie there.
-    TestCandidates,
-    /// Finds the images of candidates in smooth cells.
-    Interpolate,
-    /// Finds those of the other candidates by rays.
-    RefineImage,
-    /// Dims images behind the disk.
-    Dim,
-    /// Draws images.
-    Splat,
+lightfall_model::words! {
+    /// A kernel of stars, in the order in which they run. The word is the name of its entry point.
+    pub enum StarKernel {
+        /// Finds images by inversion.
+        Solve = "solve",
+        /// Traces the mesh.
+        TraceMesh = "trace_mesh",
+        /// Finds the candidates of each cell of the mesh.
+        FindCandidates = "find_candidates",
+        /// Finds the candidates of cells that see much of the sky.
+        FindWideCandidates = "find_wide_candidates",
+        /// Keeps the candidates in bent cells whose image may lie there.
+        TestCandidates = "test_candidates",
+        /// Finds the images of candidates in smooth cells, by interpolation.
+        Interpolate = "interpolate",
+        /// Finds those of the other candidates by rays.
+        RefineImage = "refine_image",
+        /// Dims images behind the disk.
+        Dim = "dim",
+        /// Draws images.
+        Splat = "splat",
+    }
 }
 
 impl StarKernel {
-    /// All kernels, in the order in which they run.
-    pub const ALL: [Self; 9] = [
-        Self::Solve,
-        Self::TraceMesh,
-        Self::FindCandidates,
-        Self::FindWideCandidates,
-        Self::TestCandidates,
-        Self::Interpolate,
-        Self::RefineImage,
-        Self::Dim,
-        Self::Splat,
-    ];
-
     /// The kernels that list candidates, which share one shader.
     pub const FINDING_CANDIDATES: [Self; 3] = [
         Self::FindCandidates,
@@ -79,27 +67,6 @@ impl StarKernel {
         })
     }
 
-    /// The kernel with the entry point of a variant.
-    pub fn with_entry(entry: Entry) -> Option<Self> {
-        let mut kernels = Self::ALL.into_iter();
-        kernels.find(|kernel| entry.points() == [kernel.entry_point()])
-    }
-
-    /// The name of its entry point.
-    pub fn entry_point(self) -> &'static str {
-        match self {
-            Self::Solve => "solve",
-            Self::TraceMesh => "trace_mesh",
-            Self::FindCandidates => "find_candidates",
-            Self::FindWideCandidates => "find_wide_candidates",
-            Self::TestCandidates => "test_candidates",
-            Self::Interpolate => "interpolate",
-            Self::RefineImage => "refine_image",
-            Self::Dim => "dim",
-            Self::Splat => "splat",
-        }
-    }
-
     /// Its WGSL text.
     pub fn source(self, scene: &Scene) -> String {
         self.text(scene).source()
@@ -114,22 +81,10 @@ impl StarKernel {
     /// Its WGSL text, by its parts.
     pub fn text(self, scene: &Scene) -> ShaderText {
         let projection = scene.camera.projection();
-        match self.variant(scene) {
+        match Variant::of_kernel(self, scene) {
             Some(variant) => variant.text(),
             None if self == Self::Splat => splat_shader(projection),
             None => candidate_shader(projection),
-        }
-    }
-
-    /// Its variant of the shaders of scenes, unless it has a shader of its own.
-    pub(crate) fn variant(self, scene: &Scene) -> Option<Variant> {
-        match self {
-            Self::Solve => Some(Variant::stars(scene)),
-            Self::TraceMesh => Some(Variant::star_mesh(scene)),
-            Self::Interpolate => Some(Variant::star_interpolation(scene)),
-            Self::RefineImage => Some(Variant::star_refinement(scene)),
-            Self::Dim => Some(Variant::star_dimming(scene)),
-            _ => None,
         }
     }
 

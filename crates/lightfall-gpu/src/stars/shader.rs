@@ -1,5 +1,6 @@
 //! The shader that draws images, and the constants of all kernels of stars.
 
+use super::StarKernel;
 use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
 use super::mesh::{CANDIDATE_LISTS, MESH_RIM, RANKS, TEST_GROUPS, WIDE_GROUPS};
@@ -16,7 +17,8 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
-    ShaderText::new(prelude, &["splat"], vec![projection_file(projection)])
+    let entry = StarKernel::Splat.word();
+    ShaderText::new(prelude, &[entry], vec![projection_file(projection)])
 }
 
 /// The shader that looks for the stars in each cell of the mesh: entry points `find_candidates`,
@@ -30,7 +32,7 @@ pub fn candidate_shader(projection: Projection) -> ShaderText {
     add_u32(&mut prelude, "MESH_RIM", MESH_RIM);
     add_u32(&mut prelude, "WIDE_GROUPS", WIDE_GROUPS);
     add_u32(&mut prelude, "TEST_GROUPS", TEST_GROUPS);
-    let entries = ["find_candidates", "find_wide_candidates", "test_candidates"];
+    let entries = StarKernel::FINDING_CANDIDATES.map(StarKernel::word);
     ShaderText::new(prelude, &entries, vec![projection_file(projection)])
 }
 

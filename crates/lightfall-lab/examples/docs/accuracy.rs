@@ -7,26 +7,12 @@ use lightfall_lab::bench::{
     DelayMeasurement, LightMeasurement, PictureMeasurement, RefinementMeasurement, light_table,
     pictures_table, ratio_range,
 };
-use lightfall_model::scene::promises;
 
 /// The scenes whose delays and whose light are shown.
 const SHOWN: [&str; 4] = ["edge-on", "above", "extremal", "edge-on-spinning"];
 
-pub fn table(name: &str) -> Result<String, String> {
-    match name {
-        "promises" => Ok(promises::table()),
-        "auto" => auto(),
-        "others" => others(),
-        "refine" => refine(),
-        "delay" => delay(),
-        "light" => light(),
-        "pictures" => pictures(),
-        _ => Err(format!("nothing renders table {name}")),
-    }
-}
-
 /// Errors and times of `auto`, and its errors on Mesa's driver.
-fn auto() -> Result<String, String> {
+pub fn auto() -> Result<String, String> {
     let (card, mesa) = (Bench::read("h200/bench")?, Bench::read("llvmpipe/bench")?);
     let rows = card.of_auto().map(|row| {
         let on_mesa = |of: fn(&_) -> f64| {
@@ -54,7 +40,7 @@ fn auto() -> Result<String, String> {
 }
 
 /// The other methods at their usual settings, against `closed`.
-fn others() -> Result<String, String> {
+pub fn others() -> Result<String, String> {
     let bench = Bench::read("h200/bench")?;
     let rows = bench.of_auto().map(|closed| {
         let cells = ["mino", "verlet", "kerr-schild"].map(|method| {
@@ -78,7 +64,7 @@ fn others() -> Result<String, String> {
 }
 
 /// Where each series of refinements begins and what it reaches.
-fn refine() -> Result<String, String> {
+pub fn refine() -> Result<String, String> {
     let rows = measured::<RefinementMeasurement>("llvmpipe/refine")?.rows;
     let key = |row: &RefinementMeasurement| (row.scene.clone(), row.method.clone(), row.study);
     let series = rows.chunk_by(|a, b| key(a) == key(b));
@@ -111,7 +97,7 @@ fn steps(row: &RefinementMeasurement) -> String {
 }
 
 /// The delays with the nodes that pictures use.
-fn delay() -> Result<String, String> {
+pub fn delay() -> Result<String, String> {
     let rows = measured::<DelayMeasurement>("h200-living/delay")?.rows;
     let own = rows
         .iter()
@@ -130,14 +116,14 @@ fn delay() -> Result<String, String> {
     ))
 }
 
-fn light() -> Result<String, String> {
+pub fn light() -> Result<String, String> {
     let mut rows = measured::<LightMeasurement>("h200-living/light")?.rows;
     let shown = |row: &LightMeasurement| ["closed", "mino"].contains(&row.method.as_str());
     rows.retain(|row| shown(row) && SHOWN.contains(&row.scene.as_str()));
     Ok(light_table(&rows))
 }
 
-fn pictures() -> Result<String, String> {
+pub fn pictures() -> Result<String, String> {
     let mut rows = measured::<PictureMeasurement>("h200-pictures/pictures")?.rows;
     rows.retain(|row| row.scene == "edge-on-spinning");
     Ok(pictures_table(&rows))

@@ -34,25 +34,61 @@ const GROUPS: [(&str, &str); 9] = [
     ("observer", "observers up to 0.9999 c, orbits, free fall"),
 ];
 
-pub fn table(name: &str) -> Result<String, String> {
-    let matrix = || Ok::<_, String>(measured::<Verdict>("h200/extremes")?.rows);
-    let grid = || Ok::<_, String>(measured::<Verdict>("h200/grid")?.rows);
-    match name {
-        "totals" => {
-            let mesa = measured::<Verdict>("llvmpipe/extremes-closed")?.rows;
-            let rows = totals("hard places", &matrix()?).into_iter();
-            let rows = rows.chain(totals("hard places, on Mesa's driver", &mesa));
-            Ok(total_table(rows.chain(totals("grid", &grid()?))))
-        }
-        "matrix" => Ok(by_group(&matrix()?)),
-        "hits" => {
-            let rows = hits("hard places", &matrix()?).into_iter();
-            Ok(hit_table(rows.chain(hits("grid", &grid()?))))
-        }
-        "delays" => delays(),
-        "hunts" => hunts(),
-        _ => Err(format!("nothing renders table {name}")),
-    }
+/// What the cells of each method that answers every ray add up to.
+pub fn totals() -> Result<String, String> {
+    let mesa = measured::<Verdict>("llvmpipe/extremes-closed")?.rows;
+    let rows = [
+        sums("hard places", &hard_places()?),
+        sums("hard places, on Mesa's driver", &mesa),
+        sums("grid", &grid()?),
+    ];
+    Ok(markdown(
+        "| cells that hold | rays | given up | not finite | beyond the tolerance | unexplained | \
+         largest 99th percentile, rad | largest error | largest of a wrong class",
+        rows.concat(),
+    ))
+}
+
+/// For each group and method: the cells that hold, and the largest error or the rays given up.
+pub fn matrix() -> Result<String, String> {
+    let rows = hard_places()?;
+    Ok(markdown(
+        "what is extreme | closed | mino | mino, tightest | verlet | kerr-schild",
+        GROUPS.map(|(group, title)| {
+            let cell = |method: &str| {
+                let mut own = of(&rows, method);
+                own.retain(|row| row.group == group);
+                let what = match own.iter().map(|row| row.unfinished).sum::<usize>() {
+                    0 => worst(&own, |row| row.backward_max),
+                    given_up => format!("{given_up} given up"),
+                };
+                format!("{}, {what}", holding(&own))
+            };
+            [vec![title.to_owned()], METHODS.map(cell).to_vec()].concat()
+        }),
+    ))
+}
+
+/// The errors of hits in the cells that have some: for each method the middle of the cells' medians and
+/// of their 99th percentiles, and the number of cells whose median is above [`HIT_GOAL`].
+pub fn hits() -> Result<String, String> {
+    let rows = [
+        middles("hard places", &hard_places()?),
+        middles("grid", &grid()?),
+    ];
+    Ok(markdown(
+        "| cells with hits | middle of the cells' medians: r | g | middle of their 99th percentiles: r | g | \
+         cells with a median above 1e-5: r | g",
+        rows.concat(),
+    ))
+}
+
+fn hard_places() -> Result<Vec<Verdict>, String> {
+    Ok(measured("h200/extremes")?.rows)
+}
+
+fn grid() -> Result<Vec<Verdict>, String> {
+    Ok(measured("h200/grid")?.rows)
 }
 
 fn of<'a>(rows: &'a [Verdict], method: &str) -> Vec<&'a Verdict> {
@@ -72,8 +108,7 @@ fn worst(rows: &[&Verdict], of: fn(&Verdict) -> f64) -> String {
     short(largest(rows.iter().map(|row| of(row))))
 }
 
-/// What the cells of each method that answers every ray add up to.
-fn totals(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
+fn sums(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
     let measured = METHODS[..ANSWERING]
         .iter()
         .map(|method| (method, of(rows, method)));
@@ -97,36 +132,7 @@ fn totals(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
         .collect()
 }
 
-fn total_table(rows: impl Iterator<Item = Vec<String>>) -> String {
-    markdown(
-        "| cells that hold | rays | given up | not finite | beyond the tolerance | unexplained | \
-         largest 99th percentile, rad | largest error | largest of a wrong class",
-        rows,
-    )
-}
-
-/// For each group and method: the cells that hold, and the largest error or the rays given up.
-fn by_group(rows: &[Verdict]) -> String {
-    markdown(
-        "what is extreme | closed | mino | mino, tightest | verlet | kerr-schild",
-        GROUPS.map(|(group, title)| {
-            let cell = |method: &str| {
-                let mut own = of(rows, method);
-                own.retain(|row| row.group == group);
-                let what = match own.iter().map(|row| row.unfinished).sum::<usize>() {
-                    0 => worst(&own, |row| row.backward_max),
-                    given_up => format!("{given_up} given up"),
-                };
-                format!("{}, {what}", holding(&own))
-            };
-            [vec![title.to_owned()], METHODS.map(cell).to_vec()].concat()
-        }),
-    )
-}
-
-/// The errors of hits in the cells that have some: for each method the middle of the cells' medians and
-/// of their 99th percentiles, and the number of cells whose median is above [`HIT_GOAL`].
-fn hits(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
+fn middles(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
     let row = |method: &&str| {
         let mut cells = of(rows, method);
         cells.retain(|row| row.hits > 0);
@@ -143,16 +149,8 @@ fn hits(place: &str, rows: &[Verdict]) -> Vec<Vec<String>> {
     METHODS[..ANSWERING].iter().map(row).collect()
 }
 
-fn hit_table(rows: impl Iterator<Item = Vec<String>>) -> String {
-    markdown(
-        "| cells with hits | middle of the cells' medians: r | g | middle of their 99th percentiles: r | g | \
-         cells with a median above 1e-5: r | g",
-        rows,
-    )
-}
-
 /// The hits of each method, by class.
-fn delays() -> Result<String, String> {
+pub fn delays() -> Result<String, String> {
     let rows = measured::<CellDelays>("llvmpipe/delays")?.rows;
     Ok(markdown(
         "method | hits compared | beyond 1e-3 rad | right for the place found | at a far place | unexplained | \
@@ -176,7 +174,7 @@ fn delays() -> Result<String, String> {
 
 /// The rays beyond their tolerance that each hunt found. A file lists its worst scenes, which are
 /// those with such rays and some more.
-fn hunts() -> Result<String, String> {
+pub fn hunts() -> Result<String, String> {
     let mut rows = Vec::new();
     for folder in ["h200", "llvmpipe"] {
         for file in files(folder, "hunt-")? {

@@ -1,7 +1,7 @@
 //! docs/PASSES.md.
 
 use crate::render::short;
-use crate::timings::{Passes, by_machine, sources};
+use crate::timings::{Passes, by_machine};
 
 /// The passes with a row of their own.
 const NAMED: Passes = &[
@@ -17,17 +17,7 @@ const NAMED: Passes = &[
 ];
 const GEODESIC: Passes = &["geodesic"];
 
-pub fn table(name: &str) -> Result<String, String> {
-    match name {
-        "passes" => passes(),
-        "methods" => methods(),
-        "living" => living(),
-        "timings" => sources(),
-        _ => Err(format!("nothing renders table {name}")),
-    }
-}
-
-fn passes() -> Result<String, String> {
+pub fn passes() -> Result<String, String> {
     let named = NAMED.chunks(1).map(|pass| (pass[0], Some(pass)));
     let rest = [
         ("everything else in Bevy", None),
@@ -45,7 +35,7 @@ fn passes() -> Result<String, String> {
 }
 
 /// The geodesic pass by each method.
-fn methods() -> Result<String, String> {
+pub fn methods() -> Result<String, String> {
     let rows = [
         ("`closed`", ["smooth", "spin"]),
         ("`mino`", ["smooth, mino", "spin, mino"]),
@@ -61,7 +51,7 @@ fn methods() -> Result<String, String> {
 }
 
 /// The geodesic pass with each part of a living disk.
-fn living() -> Result<String, String> {
+pub fn living() -> Result<String, String> {
     let rows = [
         ("a smooth disk", "smooth"),
         ("limb darkening", "limb"),

@@ -1,6 +1,6 @@
 //! docs/SCENES.md.
 
-use crate::timings::{Passes, by_machine, compared, sources};
+use crate::timings::{Passes, by_machine, compared};
 
 const GEODESIC: Passes = &["geodesic"];
 const EDGES: Passes = &["geodesic", "edges", "refine"];
@@ -41,15 +41,7 @@ const OMISSIONS: [(&str, ([&str; 2], Passes)); 12] = [
     ("probe and lamps", (["probe", "no probe"], PROBE)),
 ];
 
-pub fn table(name: &str) -> Result<String, String> {
-    match name {
-        "omissions" => omissions(),
-        "timings" => sources(),
-        _ => Err(format!("nothing renders table {name}")),
-    }
-}
-
-fn omissions() -> Result<String, String> {
+pub fn omissions() -> Result<String, String> {
     let columns = ["ms with", "without", "times"];
     by_machine("left out", columns, &OMISSIONS, |machine, row| {
         let ([with, without], passes) = *row;

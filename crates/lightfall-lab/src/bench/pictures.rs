@@ -78,7 +78,7 @@ pub fn with_smooth_disk(bench_scene: &BenchScene) -> Vec<BenchScene> {
 
 /// The error of a part of a picture: of the brightness that a screen shows, from 0 to 1, at each
 /// pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct PictureError {
     /// Root of the mean of its square.
     pub rms: f64,
@@ -131,11 +131,8 @@ pub struct PictureMeasurement {
     /// The same over that of one ray a pixel.
     pub over_one: f64,
     /// The error.
-    pub rms: f64,
-    /// Its 99th percentile.
-    pub p99: f64,
-    /// Its maximum.
-    pub max: f64,
+    #[serde(flatten)]
+    pub error: PictureError,
 }
 
 /// The rows as a Markdown table.
@@ -146,9 +143,10 @@ pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
         } else {
             "single rays"
         };
+        let PictureError { rms, p99, max } = row.error;
         format!(
-            "{} | {rays} | {} | {:.2} | {:.2} | {:.4} | {:.4} | {:.3}",
-            row.scene, row.samples, row.picture_ms, row.over_one, row.rms, row.p99, row.max
+            "{} | {rays} | {} | {:.2} | {:.2} | {rms:.4} | {p99:.4} | {max:.3}",
+            row.scene, row.samples, row.picture_ms, row.over_one
         )
     };
     table(

@@ -1,9 +1,11 @@
 //! From TOML's values and faults to the scene's.
 
+use super::SCHEMA;
 use super::error::{Refusal, SceneError};
 use super::field::Field;
 use super::range::{Kind, number};
 use super::value::{Value, quoted};
+use toml::Table;
 
 impl Field {
     /// A TOML value as a value of this field. Whole numbers are accepted where a number is asked
@@ -73,8 +75,26 @@ pub(super) fn given(value: &toml::Value) -> String {
     }
 }
 
+/// The table that a text in TOML describes, of a preset or a journey.
+///
+/// # Errors
+/// The text is not TOML, or of another version of the format.
+pub(super) fn table(origin: &str, text: &str) -> Result<Table, SceneError> {
+    let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
+    // The version comes first: other fields may be correct in another version of the format.
+    match table.get("schema") {
+        Some(schema @ toml::Value::Integer(number)) if *number != i64::from(SCHEMA) => {
+            Err(SceneError::Schema {
+                origin: origin.into(),
+                given: given(schema),
+            })
+        }
+        _ => Ok(table),
+    }
+}
+
 /// A fault of TOML with the line and column where it was noticed.
-pub(super) fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
+fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
     let at = error.span().map_or(0, |span| span.start.min(text.len()));
     let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);

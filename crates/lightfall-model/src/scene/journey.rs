@@ -15,6 +15,7 @@ mod idle;
 mod keyframe;
 mod load;
 mod track;
+mod tracks;
 
 pub use caption::Caption;
 pub use check::Unflyable;
@@ -23,6 +24,7 @@ pub use load::load;
 pub use track::Track;
 
 use self::clock::Clock;
+use self::tracks::Tracks;
 use super::presets::Preset;
 use super::{Camera, ObserverKind, Scene};
 use crate::geometry::kerr::Kerr;
@@ -52,28 +54,6 @@ pub struct Journey {
     /// What the keyframes say about the disk's clock.
     clock: Clock,
 }
-
-/// The tracks of all quantities; none for a quantity that no keyframe names.
-#[derive(Clone, Debug, PartialEq)]
-struct Tracks {
-    radius: Option<Track>,
-    angles: [Option<Track>; ANGLES.len()],
-    field_of_view: Option<Track>,
-    velocity: [Option<Track>; 3],
-    disk_tilt: Option<Track>,
-    disk_node: Option<Track>,
-}
-
-/// An angle of the camera: its name in a keyframe, and its field.
-type Angle = (&'static str, fn(&mut Camera) -> &mut f64);
-
-const ANGLES: [Angle; 5] = [
-    ("theta_deg", |camera| &mut camera.theta_deg),
-    ("phi_deg", |camera| &mut camera.phi_deg),
-    ("yaw_deg", |camera| &mut camera.yaw_deg),
-    ("pitch_deg", |camera| &mut camera.pitch_deg),
-    ("roll_deg", |camera| &mut camera.roll_deg),
-];
 
 impl Journey {
     /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
@@ -116,7 +96,7 @@ impl Journey {
         if let Some(rate) = self.clock.rate_at(time) {
             scene.disk.rate = rate;
         }
-        if tracks.leads("phi_deg") {
+        if tracks.of("phi_deg").is_some() {
             let phi =
                 scene.camera.phi_deg - self.azimuth_lead(time, rain, scene.kerr()).to_degrees();
             scene.camera.phi_deg = wrap_degrees(phi);
@@ -127,7 +107,7 @@ impl Journey {
     /// `rain` up to `time`, in radians. Inside the horizon, where `camera.phi_deg` is the ingoing
     /// azimuth, the lead counts as zero.
     fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
-        let Some(radius) = &self.tracks_in_rain.radius else {
+        let Some(radius) = self.tracks_in_rain.of("r") else {
             return 0.0;
         };
         if kerr.spin == 0.0 {
@@ -172,46 +152,6 @@ impl Journey {
     }
 }
 
-impl Tracks {
-    /// Whether any keyframe names this angle.
-    fn leads(&self, name: &str) -> bool {
-        ANGLES
-            .iter()
-            .zip(&self.angles)
-            .any(|((angle, _), track)| *angle == name && track.is_some())
-    }
-
-    fn apply(&self, time: f64, scene: &mut Scene) {
-        if let Some(radius) = &self.radius {
-            scene.camera.r = radius.at(time).exp();
-        }
-        for ((name, field), track) in ANGLES.iter().zip(&self.angles) {
-            if let Some(track) = track {
-                let angle = track.at(time);
-                *field(&mut scene.camera) = if *name == "theta_deg" {
-                    angle
-                } else {
-                    wrap_degrees(angle)
-                };
-            }
-        }
-        if let Some(track) = &self.field_of_view {
-            scene.camera.fov_deg = track.at(time);
-        }
-        for (component, track) in scene.observer.velocity.iter_mut().zip(&self.velocity) {
-            if let Some(track) = track {
-                *component = track.at(time);
-            }
-        }
-        if let Some(track) = &self.disk_tilt {
-            scene.disk.tilt_deg = track.at(time);
-        }
-        if let Some(track) = &self.disk_node {
-            scene.disk.node_deg = wrap_degrees(track.at(time));
-        }
-    }
-}
-
 /// The camera at a share, from 0 to 1, of the way from one camera to another: at rest at both ends,
 /// in the logarithm of the radius, and along the shorter turn of each angle.
 pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
@@ -219,21 +159,20 @@ pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let gently = share * share * (3.0 - 2.0 * share);
     let mix = |a: f64, b: f64| a + (b - a) * gently;
     let (mut from, mut camera) = (*from, *to);
+    let turns: [fn(&mut Camera) -> &mut f64; 4] = [
+        |camera| &mut camera.phi_deg,
+        |camera| &mut camera.yaw_deg,
+        |camera| &mut camera.pitch_deg,
+        |camera| &mut camera.roll_deg,
+    ];
     // At the end the camera is exactly `to`, without rounding.
     if share < 1.0 {
         camera.r = mix(from.r.ln(), to.r.ln()).exp();
         camera.fov_deg = mix(from.fov_deg, to.fov_deg);
-        for (name, field) in ANGLES {
-            let (start, end) = (*field(&mut from), *field(&mut camera));
-            let turn = if name == "theta_deg" {
-                end - start
-            } else {
-                wrap_degrees(end - start)
-            };
-            *field(&mut camera) = start + turn * gently;
-        }
-        for field in [ANGLES[1].1, ANGLES[2].1, ANGLES[3].1, ANGLES[4].1] {
-            *field(&mut camera) = wrap_degrees(*field(&mut camera));
+        camera.theta_deg = mix(from.theta_deg, to.theta_deg);
+        for angle in turns {
+            let (start, end) = (*angle(&mut from), *angle(&mut camera));
+            *angle(&mut camera) = wrap_degrees(start + wrap_degrees(end - start) * gently);
         }
     }
     camera

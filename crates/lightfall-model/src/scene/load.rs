@@ -2,15 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use toml::Table;
-
 use super::error::{Refusal, SceneError};
 use super::fields::{FIELDS, field};
-use super::from_toml::{given, syntax};
+use super::from_toml::{given, table};
 use super::hint::{hint, is_table};
 use super::range::Kind;
 use super::value::{Value, shortened};
-use super::{MAX_PICTURE_SIDE, SCHEMA, Scene, resized};
+use super::{MAX_PICTURE_SIDE, Scene, resized};
 use glam::UVec2;
 
 /// One field that the command line sets in place of the preset.
@@ -66,17 +64,7 @@ struct Given<'a> {
 /// # Errors
 /// One sentence that names where the fault is written, the key, the value and what is allowed.
 pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
-    let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
-    // The version comes first: other fields may be correct in another version of the format.
-    match table.get("schema") {
-        Some(schema @ toml::Value::Integer(number)) if *number != i64::from(SCHEMA) => {
-            return Err(SceneError::Schema {
-                origin: origin.into(),
-                given: given(schema),
-            });
-        }
-        _ => {}
-    }
+    let table = table(origin, text)?;
     let mut fields = BTreeMap::new();
     // The first error is reported once all other fields are known: its range depends on them.
     let mut errors = Vec::new();

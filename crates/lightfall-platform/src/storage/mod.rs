@@ -7,13 +7,13 @@ mod file_name;
 mod files;
 mod folders;
 mod scene_source;
-mod star_file;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
 pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture, preset_pieces};
 pub use file_name::file_safe_name;
 pub use files::{
-    WriteError, create_parent_folder, exists, read_text, remove, rename, write_atomically,
+    TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,
+    write_atomically,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::{check_folder_writable, check_name, check_writable};
@@ -21,6 +21,5 @@ pub use files::{check_folder_writable, check_name, check_writable};
 pub use folders::pictures_folder;
 pub use folders::{preset_files, presets_folder, settings_file};
 pub use scene_source::{
-    SourceError, own_presets, read_journey, read_scene, scene_by_name, scene_of_file,
+    SourceError, own_presets, read_journey, read_scene, read_stars, scene_by_name, scene_of_file,
 };
-pub use star_file::{StarFileError, read_stars};

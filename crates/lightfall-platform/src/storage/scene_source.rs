@@ -1,23 +1,25 @@
-//! Scenes by name, from preset files and from pictures; journeys from files.
+//! Scenes by name, from preset files and from pictures; journeys and catalogues of stars from files.
 
 use super::embedded_preset::{embedded_preset, is_picture};
-use super::files::{exists, read};
+use super::files::{TextError, exists, read, read_text, text_of};
 use super::folders::{preset_files, presets_folder};
 use lightfall_core::gpu::Drawable;
+use lightfall_core::optics::stars::{Catalogue, CatalogueError};
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
 use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
-use lightfall_core::text::{NotText, decode};
 use std::ffi::OsStr;
-use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Maximum size of a preset file, in bytes.
 const MAX_PRESET_BYTES: u64 = 1 << 20;
 
-/// Why a scene or a journey cannot be read. Each message is one sentence that names the file or the
-/// option.
+/// Maximum size of a catalogue of stars, in bytes: more than the largest number of stars takes.
+const MAX_STAR_FILE_BYTES: u64 = 256 << 20;
+
+/// Why a scene, a journey or a catalogue of stars cannot be read. Each message is one sentence that
+/// names the file or the option.
 #[derive(Debug, Error)]
 pub enum SourceError {
     /// The preset or an override is wrong.
@@ -26,6 +28,9 @@ pub enum SourceError {
     /// The journey is wrong.
     #[error(transparent)]
     Journey(#[from] JourneyError),
+    /// The catalogue of stars is wrong.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
     /// The journey cannot be flown in this scene.
     #[error("{}: {unflyable}", path.display())]
     Unflyable {
@@ -44,27 +49,15 @@ pub enum SourceError {
         /// What was probably meant, or all presets.
         hint: String,
     },
-    /// The file cannot be read.
-    #[error("{}: cannot be read: {error}", path.display())]
-    Unreadable {
+    /// The file gives no text.
+    #[error("{}: {fault}{remark}", path.display())]
+    Text {
         /// The file.
         path: PathBuf,
-        /// The operating system's reason.
-        error: io::Error,
-    },
-    /// The file is longer than any preset.
-    #[error("{}: is longer than {MAX_PRESET_BYTES} bytes; presets and journeys are short TOML texts", path.display())]
-    TooLong {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The file is not text.
-    #[error("{}: {fault}; presets and journeys are short TOML texts", path.display())]
-    NotText {
-        /// The file.
-        path: PathBuf,
-        /// What it is instead.
-        fault: NotText,
+        /// Why it gives none.
+        fault: TextError,
+        /// What such files are, if that helps; it goes on with the sentence.
+        remark: &'static str,
     },
     /// The file is a picture without a preset in it.
     #[error(
@@ -121,7 +114,7 @@ pub fn scene_of_file(
     contents: Vec<u8>,
     overrides: &[Override],
 ) -> Result<Scene, SourceError> {
-    let text = text_of(path, contents)?;
+    let text = text_of_source(path, contents)?;
     Ok(load(&path.display().to_string(), &text, overrides)?)
 }
 
@@ -134,7 +127,7 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
     let Some(path) = file else {
         return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
     };
-    let text = text_of(path, contents(path)?)?;
+    let text = text_of_source(path, contents(path)?)?;
     let journey = journey::load(&path.display().to_string(), &text)?;
     let checked = journey.check(scene, 0.0, Drawable::new);
     checked
@@ -143,6 +136,15 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
             path: path.into(),
             unflyable,
         })
+}
+
+/// The catalogue of a CSV file of stars.
+///
+/// # Errors
+/// The file cannot be read, or is not a catalogue.
+pub fn read_stars(path: &Path) -> Result<Catalogue, SourceError> {
+    let text = read_text(path, MAX_STAR_FILE_BYTES).map_err(|fault| no_text(path, fault, ""))?;
+    Ok(Catalogue::from_csv(&path.display().to_string(), &text)?)
 }
 
 /// The files of the user's own presets, which the window's panel saves.
@@ -161,24 +163,24 @@ fn own_preset(name: &OsStr) -> Option<PathBuf> {
 
 /// The first bytes of a file, enough for every preset.
 fn contents(path: &Path) -> Result<Vec<u8>, SourceError> {
-    read(path, MAX_PRESET_BYTES).map_err(|error| SourceError::Unreadable {
-        path: path.into(),
-        error,
-    })
+    read(path, MAX_PRESET_BYTES).map_err(|error| no_text(path, error.into(), ""))
 }
 
 /// The text of a preset or journey file, or of the preset in a picture.
-fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
+fn text_of_source(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
     if is_picture(&bytes) {
         return embedded_preset(&bytes).ok_or(SourceError::NoPreset { path: path.into() });
     }
-    if bytes.len() as u64 > MAX_PRESET_BYTES {
-        return Err(SourceError::TooLong { path: path.into() });
-    }
-    decode(bytes).map_err(|fault| SourceError::NotText {
+    text_of(bytes, MAX_PRESET_BYTES)
+        .map_err(|fault| no_text(path, fault, "; presets and journeys are short TOML texts"))
+}
+
+fn no_text(path: &Path, fault: TextError, remark: &'static str) -> SourceError {
+    SourceError::Text {
         path: path.into(),
         fault,
-    })
+        remark,
+    }
 }
 
 /// The preset that was probably meant, or all presets.

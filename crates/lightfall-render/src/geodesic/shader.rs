@@ -9,8 +9,8 @@ use crate::live_shaders::LiveShaders;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use bevy::render::render_resource::ColorWrites;
-use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::stars::StarKernel;
+use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::scene::{Projection, Scene, SkyMode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -65,7 +65,10 @@ pub(super) struct JoinedShader {
 impl JoinedShader {
     /// The kernel of stars that it is, if it is one.
     pub(super) fn star_kernel(&self) -> Option<StarKernel> {
-        StarKernel::with_entry(self.variant.entry)
+        match self.variant.entry {
+            Entry::Star(kernel) => Some(kernel),
+            _ => None,
+        }
     }
 
     /// How it takes a pixel to a direction and back.

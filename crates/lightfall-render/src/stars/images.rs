@@ -217,8 +217,8 @@ impl SceneStars {
                 })
                 .collect();
             let layout = cache.get_bind_group_layout(&layout(kernel));
-            drawn.bind_groups[kernel as usize] = entries
-                .map(|entries| device.create_bind_group(kernel.entry_point(), &layout, &entries));
+            drawn.bind_groups[kernel as usize] =
+                entries.map(|entries| device.create_bind_group(kernel.word(), &layout, &entries));
         }
         drawn
     }

@@ -24,7 +24,7 @@ pub(crate) struct StarPipelines {
 
 /// The layout of a kernel's bindings.
 pub(super) fn layout(kernel: StarKernel) -> BindGroupLayoutDescriptor {
-    BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
+    BindGroupLayoutDescriptor::new(kernel.word(), &kernel.layout())
 }
 
 impl StarPipelines {
@@ -50,7 +50,7 @@ impl StarPipelines {
             .chain([(StarKernel::Splat, splat)]);
         let mut ids = [None; StarKernel::ALL.len()];
         for (kernel, shader) in all {
-            let id = pipelines.queue(cache, kernel.entry_point(), &[&layout(kernel)], &shader);
+            let id = pipelines.queue(cache, kernel.word(), &[&layout(kernel)], &shader);
             ids[kernel as usize] = Some(id);
         }
         Self { ids, reloads }

@@ -242,7 +242,7 @@ impl<'a> StarRun<'a> {
 }
 
 fn pipeline(gpu: &Gpu, kernel: StarKernel, source: &str) -> ComputePipeline {
-    let entry = kernel.entry_point();
+    let entry = kernel.word();
     let module = gpu.shader(entry, source).unwrap();
     let descriptor = ComputePipelineDescriptor {
         label: Some(entry),

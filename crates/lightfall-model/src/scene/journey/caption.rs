@@ -1,6 +1,6 @@
 //! The captions of a journey: sentences that appear at their time and stay for some seconds.
 
-use super::error::JourneyError;
+use super::error::Fault;
 use super::format::{CAPTION_SECONDS, MAX_CAPTION_CHARS, MAX_CAPTIONS};
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::shortened;
@@ -18,48 +18,37 @@ pub struct Caption {
 }
 
 /// Reads the captions of a journey whose keyframes last from `span[0]` to `span[1]` seconds.
-pub(super) fn read_captions(
-    origin: &str,
-    tables: Vec<Table>,
-    span: [f64; 2],
-) -> Result<Vec<Caption>, JourneyError> {
+pub(super) fn read_captions(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Caption>, Fault> {
     if tables.len() > MAX_CAPTIONS {
-        return Err(JourneyError::CaptionCount {
-            origin: origin.into(),
-            count: tables.len(),
-        });
+        let count = tables.len();
+        return Err(Fault::CaptionCount { count });
     }
     let mut captions: Vec<Caption> = Vec::with_capacity(tables.len());
     for (index, table) in tables.into_iter().enumerate() {
         let before = captions.last().map(|last| last.time + span[0]);
-        captions.push(read(origin, index + 1, table, before, span)?);
+        captions.push(read(index + 1, table, before, span)?);
     }
     Ok(captions)
 }
 
 /// Reads the caption of this number, counted from 1, after one at the time `before`.
 fn read(
-    origin: &str,
     number: usize,
     mut table: Table,
     before: Option<f64>,
     [start, end]: [f64; 2],
-) -> Result<Caption, JourneyError> {
-    let refused =
-        |key: &'static str, value: Option<&toml::Value>, allowed: String| JourneyError::Caption {
-            origin: origin.into(),
-            number,
-            key,
-            given: value.map_or_else(|| "nothing".into(), given),
-            allowed,
-        };
+) -> Result<Caption, Fault> {
+    let refused = |key, value: Option<&toml::Value>, allowed: String| Fault::Value {
+        table: "caption",
+        number,
+        key,
+        given: value.map_or_else(|| "nothing".into(), given),
+        allowed,
+    };
     let [time, seconds, text] = ["time", "seconds", "text"].map(|key| table.remove(key));
     if let Some(key) = table.keys().next() {
-        return Err(JourneyError::CaptionKey {
-            origin: origin.into(),
-            number,
-            key: shortened(key),
-        });
+        let key = shortened(key);
+        return Err(Fault::CaptionKey { number, key });
     }
     let appears = time
         .as_ref()

@@ -38,8 +38,7 @@ impl Journey {
     ) -> Result<(), Unflyable> {
         let possible = |scene: Scene| possible(scene).map_err(|reason| reason.to_string());
         let refusal = |time: f64| {
-            let mut there = scene.clone();
-            self.apply(time - self.times[0], &mut there);
+            let mut there = self.scene_at(time, scene);
             let reason = possible(there.clone()).err()?;
             there.camera.r = rounded(there.camera.r);
             Some(possible(there).err().unwrap_or(reason))

@@ -7,22 +7,12 @@ impl Journey {
     /// What the keyframes name and what changes nothing at any of them, by its name in a keyframe,
     /// with the reason.
     pub fn idle_values(&self, scene: &Scene) -> Vec<(&'static str, Idle)> {
-        let all = [&self.tracks, &self.tracks_in_rain];
-        let velocity = all
-            .iter()
-            .any(|tracks| tracks.velocity.iter().any(Option::is_some));
+        // These tracks name all that the others do.
+        let is_named = |name| self.tracks_in_rain.of(name).is_some();
         let named = [
-            ("velocity", "observer.velocity", velocity),
-            (
-                "disk_tilt_deg",
-                "disk.tilt_deg",
-                self.tracks.disk_tilt.is_some(),
-            ),
-            (
-                "disk_node_deg",
-                "disk.node_deg",
-                self.tracks.disk_node.is_some(),
-            ),
+            ("velocity", "observer.velocity", is_named("velocity")),
+            ("disk_tilt_deg", "disk.tilt_deg", is_named("disk_tilt_deg")),
+            ("disk_node_deg", "disk.node_deg", is_named("disk_node_deg")),
             ("disk_rate", "disk.rate", !self.clock.rates.is_empty()),
             ("disk_time", "disk.time", !self.clock.times.is_empty()),
         ];
@@ -42,7 +32,7 @@ impl Journey {
     }
 
     /// The scene at the keyframe of this time.
-    fn scene_at(&self, time: f64, scene: &Scene) -> Scene {
+    pub(super) fn scene_at(&self, time: f64, scene: &Scene) -> Scene {
         let mut there = scene.clone();
         self.apply(time - self.times[0], &mut there);
         there

@@ -1,11 +1,14 @@
 //! One keyframe of a journey: its values, each checked by the field that it will be written to.
 
-use super::error::JourneyError;
+use super::error::Fault;
 use super::format::{MAX_SECONDS, NAMES, NOT_IN_RAIN, field_like};
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::{Value, shortened};
 use std::collections::BTreeMap;
 use toml::Table;
+
+/// What the table of a keyframe is called.
+pub(super) const TABLE: &str = "keyframe";
 
 /// The values of a keyframe by their names.
 pub(super) type Values = BTreeMap<&'static str, Value>;
@@ -14,34 +17,24 @@ pub(super) type Values = BTreeMap<&'static str, Value>;
 pub(super) struct Keyframe {
     /// When it is, in seconds.
     pub(super) time: f64,
-    values: Values,
-    values_in_rain: Values,
+    /// What it names.
+    pub(super) values: Values,
+    /// The same, with what differs for an observer that falls freely.
+    pub(super) values_in_rain: Values,
 }
 
 impl Keyframe {
-    /// What it names.
-    pub(super) fn values(&self) -> &Values {
-        &self.values
-    }
-
-    /// The same, with what differs for an observer that falls freely.
-    pub(super) fn values_in_rain(&self) -> &Values {
-        &self.values_in_rain
-    }
-
     /// Reads the keyframe of this number, counted from 1, after one at the time `before`.
     pub(super) fn read(
-        origin: &str,
         number: usize,
         mut frame: Table,
         before: Option<f64>,
-    ) -> Result<Self, JourneyError> {
-        let unknown = |key: &str| JourneyError::UnknownKey {
-            origin: origin.into(),
+    ) -> Result<Self, Fault> {
+        let unknown = |key: &str| Fault::UnknownKey {
             number,
             key: key.into(),
         };
-        let time = time(origin, number, frame.remove("time").as_ref(), before)?;
+        let time = time(number, frame.remove("time").as_ref(), before)?;
         let in_rain = match frame.remove("rain") {
             Some(toml::Value::Table(in_rain)) => in_rain,
             Some(_) => return Err(unknown("value rain")),
@@ -50,9 +43,9 @@ impl Keyframe {
         if let Some(key) = NOT_IN_RAIN.iter().find(|key| in_rain.contains_key(**key)) {
             return Err(unknown(&format!("rain.{key}")));
         }
-        let values = checked(origin, number, &frame)?;
+        let values = checked(number, &frame)?;
         let mut values_in_rain = values.clone();
-        values_in_rain.extend(checked(origin, number, &in_rain)?);
+        values_in_rain.extend(checked(number, &in_rain)?);
         Ok(Self {
             time,
             values,
@@ -62,12 +55,7 @@ impl Keyframe {
 }
 
 /// The time of a keyframe, which comes after the one before.
-fn time(
-    origin: &str,
-    number: usize,
-    time: Option<&toml::Value>,
-    before: Option<f64>,
-) -> Result<f64, JourneyError> {
+fn time(number: usize, time: Option<&toml::Value>, before: Option<f64>) -> Result<f64, Fault> {
     let seconds = time.and_then(float);
     let later = |seconds: f64| before.is_none_or(|last| seconds > last);
     if let Some(seconds) = seconds
@@ -82,28 +70,26 @@ fn time(
         }
         _ => format!("a number of seconds from 0 to {MAX_SECONDS}"),
     };
-    Err(JourneyError::Time {
-        origin: origin.into(),
+    Err(Fault::Value {
+        table: TABLE,
         number,
+        key: "time",
         given: time.map_or_else(|| "nothing".into(), given),
         allowed,
     })
 }
 
 /// The values of a keyframe, each by its name.
-fn checked(origin: &str, number: usize, frame: &Table) -> Result<Values, JourneyError> {
+fn checked(number: usize, frame: &Table) -> Result<Values, Fault> {
     let mut values = Values::new();
     for (key, value) in frame {
         let Some((name, like)) = NAMES.into_iter().find(|(name, _)| name == key) else {
-            return Err(JourneyError::UnknownKey {
-                origin: origin.into(),
-                number,
-                key: shortened(key),
-            });
+            let key = shortened(key);
+            return Err(Fault::UnknownKey { number, key });
         };
         let field = field_like(like);
-        let refused = |given| JourneyError::Value {
-            origin: origin.into(),
+        let refused = |given| Fault::Value {
+            table: TABLE,
             number,
             key: name,
             given,
