@@ -21,6 +21,7 @@ const DIRECTIONS: [Vec2; 8] = [
 
 /// The labels of one drawing.
 pub(super) struct Labels {
+    painter: egui::Painter,
     bounds: Rect,
     taken: Vec<Rect>,
     /// Points of the drawing that labels leave free.
@@ -29,8 +30,9 @@ pub(super) struct Labels {
 
 impl Labels {
     /// No labels yet, within these bounds.
-    pub(super) fn within(bounds: Rect) -> Self {
+    pub(super) fn within(painter: &egui::Painter, bounds: Rect) -> Self {
         Self {
+            painter: painter.clone(),
             bounds: bounds.shrink(3.0),
             taken: Vec::new(),
             drawn: Vec::new(),
@@ -56,17 +58,12 @@ impl Labels {
     }
 
     /// Writes a label next to a place, unless the place is outside the drawing.
-    pub(super) fn write(
-        &mut self,
-        painter: &egui::Painter,
-        place: Pos2,
-        text: &str,
-        colour: Color32,
-    ) {
+    pub(super) fn write(&mut self, place: Pos2, text: &str, colour: Color32) {
         if !self.bounds.expand(4.0).contains(place) {
             return;
         }
         let font = egui::FontId::proportional(SIZE);
+        let painter = &self.painter;
         let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
         let size = galley.size() + egui::vec2(8.0, 4.0);
         let candidates = DISTANCES.into_iter().flat_map(|distance| {

@@ -25,7 +25,7 @@ use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::{Picture, Scene};
 use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
-use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
+use ray_worker::{InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
 const FANS: [u32; 3] = [1, 3, 5];
@@ -56,22 +56,17 @@ struct Inspector {
     text_height: f32,
 }
 
-impl Default for Inspector {
-    fn default() -> Self {
-        Self {
-            worker: ray_worker::start(),
-            sketch: Sketch::default(),
-            fan: 1,
-            spacing: 12.0,
-            asked: None,
-            answer: None,
-            text_height: 0.0,
-        }
-    }
-}
-
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<Inspector>()
+    let inspector = Inspector {
+        worker: ray_worker::start(),
+        sketch: Sketch::default(),
+        fan: 1,
+        spacing: 12.0,
+        asked: None,
+        answer: None,
+        text_height: 0.0,
+    };
+    app.insert_resource(inspector)
         .add_systems(
             Update,
             (
@@ -86,20 +81,12 @@ pub(crate) fn plugin(app: &mut App) {
 
 /// The pixel of the picture at a place of the window, in pixels from the picture's upper left
 /// corner. None outside the picture.
-#[must_use]
 fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
-    if window.min_element() == 0 {
-        return None;
-    }
     let shown = letterbox(picture, window);
     let share = ((place - shown.offset) / shown.extent).as_dvec2();
     let inside = share.min_element() >= 0.0 && share.max_element() < 1.0;
     // Rays go through the middle of pixels.
-    inside.then(|| (share * size(picture)).floor() + 0.5)
-}
-
-fn size(picture: &Picture) -> DVec2 {
-    picture.size().as_dvec2()
+    inside.then(|| (share * picture.size().as_dvec2()).floor() + 0.5)
 }
 
 fn inspect_clicked_pixel(
@@ -149,7 +136,7 @@ impl Inspector {
         offsets.sort_by_key(|offset| *offset != DVec2::ZERO);
         let ray = |offset: DVec2| {
             let place = *pixel + self.spacing * offset;
-            let looking = scene.camera.looking(place, size(&scene.picture));
+            let looking = scene.camera.looking(place, scene.picture.size().as_dvec2());
             (Ray::toward(looking), place.to_array())
         };
         self.worker.ask(RayJob {
@@ -182,8 +169,11 @@ fn show_inspector(
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
     // The scene that the pixel of the last answer shows now.
-    let pixel = inspector.answer.as_ref().and_then(InspectedRays::pixel);
-    let scene = scene_at(pixel.unwrap_or_default(), &scene, &compared);
+    let clicked = inspector.answer.as_ref().and_then(|it| it.rays.first());
+    let pixel = clicked
+        .and_then(|ray| ray.numbers.pixel)
+        .unwrap_or_default();
+    let scene = scene_at(pixel.into(), &scene, &compared);
     mark_rays(context, inspector, scene, &window);
     docked(context, "inspector", Side::Left, INSPECTOR_WIDTH, |ui| {
         ui.horizontal(|ui| {
@@ -196,22 +186,14 @@ fn show_inspector(
             });
         });
         ui.separator();
-        let Inspector {
-            answer,
-            sketch,
-            text_height,
-            ..
-        } = inspector;
-        let Some(InspectedRays {
-            scene: seen,
-            rays,
-            gpu,
-        }) = answer
-        else {
+        let Some(answer) = &inspector.answer else {
             ui.label("Click a point of the picture to see the path of its light.");
             return;
         };
-        let Some(first) = rays.first() else { return };
+        let Some(first) = answer.rays.first() else {
+            return;
+        };
+        let (seen, sketch) = (&answer.scene, &mut inspector.sketch);
         ui.horizontal(|ui| {
             if ui.button("Copy text").clicked() {
                 clipboard.copy(first.numbers.to_text());
@@ -222,7 +204,8 @@ fn show_inspector(
                 toast.say("The ray's numbers are on the clipboard, as JSON");
             }
         });
-        heading(ui, first, seen, scene, gpu);
+        let waits = first.numbers.gpu.is_none() && answer.gpu_fault.is_none();
+        heading(ui, first, seen, scene, waits);
         ui.horizontal(|ui| {
             for (viewpoint, name) in VIEWPOINTS {
                 ui.selectable_value(&mut sketch.viewpoint, viewpoint, name);
@@ -233,9 +216,10 @@ fn show_inspector(
         });
         // The numbers take the room that they need, up to their share, and the drawing the rest.
         let room = ui.available_height();
-        let below = text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
+        let below = inspector.text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
         let height = (room - below).max(60.0);
-        sketch.show(ui, seen, rays, egui::vec2(ui.available_width(), height));
+        let size = egui::vec2(ui.available_width(), height);
+        sketch.show(ui, seen, &answer.rays, size);
         let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 9.0;
@@ -244,19 +228,19 @@ fn show_inspector(
             }
         });
         if sketch.viewpoint == Viewpoint::Plane {
-            ui.label(egui::RichText::new(plane_figure::explanation(seen, first)).size(13.0));
+            ui.label(plane_figure::explanation(seen, first));
         }
         ui.separator();
         let shown = egui::ScrollArea::both()
             .id_salt("numbers")
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                numbers::show(ui, first, seen, gpu);
+                numbers::show(ui, first, seen, answer.gpu_fault.as_deref());
             });
         // Next frame the drawing makes room for them.
         let wanted = shown.inner_rect.top() - top + shown.content_size.y + 8.0;
-        if (*text_height - wanted).abs() > 0.5 {
-            *text_height = wanted;
+        if (inspector.text_height - wanted).abs() > 0.5 {
+            inspector.text_height = wanted;
             context.request_repaint();
         }
     });
@@ -264,7 +248,7 @@ fn show_inspector(
 }
 
 /// Says which pixel of which picture was clicked.
-fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu: &GpuState) {
+fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, waits: bool) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
     let (picture, method) = (&seen.picture, seen.method.resolved().word());
     let mut text = format!(
@@ -274,7 +258,7 @@ fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu:
     if seen != now {
         text += ", of an earlier picture";
     }
-    if *gpu == GpuState::Waiting {
+    if waits {
         text += ", waiting for the GPU";
     }
     ui.label(text);

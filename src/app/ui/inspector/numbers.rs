@@ -1,6 +1,5 @@
 //! The numbers of an inspected ray, rounded for reading. A copy of them has all digits.
 
-use super::ray_worker::GpuState;
 use bevy_egui::egui;
 use lightfall_core::accuracy::inspection::{Difference, Inspected, Inspection};
 use lightfall_core::accuracy::rays::Record;
@@ -17,7 +16,7 @@ const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in
     order of the image counts the whole ones. A straight ray that comes from the sky and passes the \
     hole sweeps nearly one, so the direct image of the sky has up to 1.";
 
-pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu: &GpuState) {
+pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>) {
     let (numbers, trace) = (&ray.numbers, &ray.trace);
     let opaque = scene.disk.transmission == 0.0;
     egui::Grid::new("numbers")
@@ -37,10 +36,9 @@ pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu: &GpuS
             };
             let cpu = &numbers.cpu;
             row("shows", Some(outcome(cpu, opaque).into()));
-            match gpu {
-                GpuState::Waiting => row(GPU_ERROR, Some("waiting for the GPU".into())),
-                GpuState::Failed(reason) => row(GPU_ERROR, Some(reason.clone())),
-                GpuState::Done => {}
+            if numbers.gpu.is_none() {
+                let reason = gpu_fault.unwrap_or("waiting for the GPU");
+                row(GPU_ERROR, Some(reason.into()));
             }
             if let Some(difference) = numbers.difference {
                 differences(&mut row, &difference, numbers, opaque);

@@ -47,7 +47,7 @@ pub(super) fn draw(
         rect,
         hole,
         scale,
-        labels: Labels::within(rect),
+        labels: Labels::within(painter, rect),
     };
     figure.draw_hole(scene, first);
     for ray in &rays[1..] {
@@ -109,8 +109,7 @@ impl Figure {
 
     /// Writes a label next to a place.
     fn label(&mut self, place: DVec2, text: &str, colour: Color32) {
-        let place = self.point(place);
-        self.labels.write(&self.painter, place, text, colour);
+        self.labels.write(self.point(place), text, colour);
     }
 
     /// Draws a straight line, which no label covers.
@@ -123,9 +122,8 @@ impl Figure {
     /// Draws a straight dashed line, which no label covers.
     fn dashed(&mut self, ends: [DVec2; 2]) {
         let ends = ends.map(|end| self.point(end));
-        let stroke = Stroke::new(1.0, GUIDE);
-        self.painter
-            .add(egui::Shape::dashed_line(&ends, stroke, 6.0, 5.0));
+        let shapes = egui::Shape::dashed_line(&ends, Stroke::new(1.0, GUIDE), 6.0, 5.0);
+        self.painter.extend(shapes);
         self.labels.avoid_line(ends);
     }
 
