@@ -1,7 +1,7 @@
 //! The value of a field on the panel: a switch, a list of choices, a text, or a number with a slider
 //! and a text field.
 
-use super::number_field::{Typed, number_field};
+use super::number_field::number_field;
 use super::switch::switch;
 use crate::app::controls::sections::Shown;
 use bevy_egui::egui;
@@ -46,13 +46,10 @@ pub(super) fn show_value(
             ui.add(edit).changed().then_some(Value::Text(text))
         }
         (Kind::Float(_), Value::Float(number)) => {
-            show_number(ui, field, shown, *number, range, false)
-                .transpose()?
-                .map(Value::Float)
+            show_number(ui, field, shown, *number, range)?.map(Value::Float)
         }
         (Kind::Integer(_), Value::Integer(number)) => {
-            show_number(ui, field, shown, *number as f64, range, true)
-                .transpose()?
+            show_number(ui, field, shown, *number as f64, range)?
                 .map(|number| Value::Integer(number.round() as i64))
         }
         (Kind::Velocity, Value::Velocity(components)) => {
@@ -113,8 +110,7 @@ fn show_number(
     shown: Shown,
     value: f64,
     range: Range,
-    whole: bool,
-) -> Option<Typed> {
+) -> Result<Option<f64>, String> {
     let turned = |angle: f64| match shown {
         Shown::AboveEquator => 90.0 - angle,
         _ => angle,
@@ -133,16 +129,14 @@ fn show_number(
                 .logarithmic(true)
                 .smallest_positive(low.max(f64::MIN_POSITIVE));
         }
-        if whole {
+        if matches!(field.kind, Kind::Integer(_)) {
             slider = slider.integer();
         }
         slid = ui.add(slider).changed();
     }
     let id = egui::Id::new(field.key);
-    let typed = number_field(ui, id, number, field.unit, NUMBER_WIDTH);
-    typed
-        .or(slid.then_some(Ok(number)))
-        .map(|number| number.map(turned))
+    let typed = number_field(ui, id, number, field.unit, NUMBER_WIDTH).transpose()?;
+    Ok(typed.or(slid.then_some(number)).map(turned))
 }
 
 /// The ends of a field's slider: the useful values among those that the field allows.

@@ -4,7 +4,7 @@
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::scene_editor::SceneEditor;
-use bevy::diagnostic::DiagnosticsStore;
+use bevy::diagnostic::{Diagnostic, DiagnosticsStore, FrameTimeDiagnosticsPlugin};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RenderDiagnosticsPlugin;
@@ -21,10 +21,10 @@ use web_time::Instant;
 
 /// A pass that has not run for this long is not listed.
 const STALE: Duration = Duration::from_secs(2);
-/// Maximum duration of a frame that counts, in seconds. A longer one means that the machine slept.
-const MAX_FRAME_SECONDS: f64 = 2.0;
-/// Weight of the newest frame in the mean.
-const NEWEST_WEIGHT: f64 = 0.1;
+/// Maximum duration of a frame that counts, in milliseconds. A longer one means that the machine slept.
+const MAX_FRAME_MS: f64 = 2000.0;
+/// Number of frames in the mean.
+const FRAMES: usize = 20;
 /// Width of the topics of the cost report, in points.
 const TOPIC_WIDTH: f32 = 104.0;
 
@@ -40,37 +40,38 @@ pub(super) struct MachinePage {
 /// What a scene's cost report depends on.
 type CostKey = (Method, View, Disk, Variant, Chain, DetailLimits);
 
-/// Mean time of a frame, in seconds.
-#[derive(Resource, Default)]
-pub(super) struct FrameTime(f64);
-
 /// What the page reads.
 #[derive(SystemParam)]
 pub(super) struct Machine<'w> {
     diagnostics: Res<'w, DiagnosticsStore>,
     adapter: Option<Res<'w, RenderAdapterInfo>>,
-    frame_time: Res<'w, FrameTime>,
     pacing: Res<'w, FramePacing>,
     choice: Res<'w, AdapterChoice>,
     waves: Res<'w, DetailLimits>,
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_plugins(RenderDiagnosticsPlugin)
-        .init_resource::<FrameTime>()
-        .add_systems(First, measure_frame_time);
-}
-
-fn measure_frame_time(time: Res<Time<Real>>, mut mean: ResMut<FrameTime>) {
-    let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
-    mean.0 = if mean.0 == 0.0 {
-        seconds
-    } else {
-        mean.0 + NEWEST_WEIGHT * (seconds - mean.0)
-    };
+    app.add_plugins((
+        RenderDiagnosticsPlugin,
+        FrameTimeDiagnosticsPlugin::new(FRAMES),
+    ));
 }
 
 impl Machine<'_> {
+    /// Mean time of the last frames, in milliseconds.
+    fn frame_time(&self) -> f64 {
+        let frames = self
+            .diagnostics
+            .get(&FrameTimeDiagnosticsPlugin::FRAME_TIME);
+        let times: Vec<f64> = frames
+            .into_iter()
+            .flat_map(Diagnostic::values)
+            .copied()
+            .collect();
+        let sum: f64 = times.iter().map(|time| time.min(MAX_FRAME_MS)).sum();
+        sum / times.len().max(1) as f64
+    }
+
     /// Each pass that ran lately, with its smoothed GPU time in milliseconds.
     fn passes(&self) -> Vec<(&str, f64)> {
         let now = Instant::now();
@@ -118,8 +119,7 @@ impl MachinePage {
         costs.show_unindented(ui, |ui| {
             for (topic, items) in self.costs(&drawn, *machine.waves) {
                 ui.horizontal_top(|ui| {
-                    let left = egui::Layout::left_to_right(egui::Align::Min);
-                    ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
+                    ui.allocate_ui(egui::vec2(TOPIC_WIDTH, 18.0), |ui| {
                         ui.set_min_width(TOPIC_WIDTH);
                         ui.weak(*topic);
                     });
@@ -191,7 +191,7 @@ impl MachinePage {
 
 fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Picture) {
     ui.strong("Speed");
-    let milliseconds = 1e3 * machine.frame_time.0;
+    let milliseconds = machine.frame_time();
     let rate = format!("{:.0} frames per second", 1e3 / milliseconds.max(1e-3));
     ui.label(egui::RichText::new(rate).size(20.0));
     let mut frame = format!("{milliseconds:.1} ms per frame");

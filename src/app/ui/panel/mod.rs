@@ -103,42 +103,40 @@ fn show_panel(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let Panel {
-        page,
-        presets,
-        readouts,
-        machine: machine_page,
-    } = &mut *panel;
+    let panel = &mut *panel;
     docked(context, PANEL, Side::Right, PANEL_WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             for (each, title) in PAGES {
-                ui.selectable_value(page, each, title);
+                ui.selectable_value(&mut panel.page, each, title);
             }
             if ui.button("×").on_hover_text("Close").clicked() {
                 overlays.panel = false;
             }
         });
         ui.separator();
-        if *page != Page::Settings {
+        if panel.page != Page::Settings {
             rebinding.0 = None;
         }
         egui::ScrollArea::both()
-            .id_salt(*page as u8)
+            .id_salt(panel.page as u8)
             .auto_shrink(false)
-            .show(ui, |ui| match page {
+            .show(ui, |ui| match panel.page {
                 Page::Scene => {
                     let size = window.physical_size();
                     scene_page::show(ui, &mut editor, &steps, &bindings, &mut paused, size);
                 }
-                Page::Presets => presets.show(ui, &mut editor, &clipboard),
+                Page::Presets => panel.presets.show(ui, &mut editor, &clipboard),
                 Page::Readouts => {
                     let settings = &mut preferences.settings;
-                    readouts.show(ui, &editor.drawn_scene(), &free_fall, &bindings, settings);
+                    let scene = &editor.drawn_scene();
+                    panel
+                        .readouts
+                        .show(ui, scene, &free_fall, &bindings, settings);
                 }
                 Page::Machine => {
                     let chosen = &mut preferences.settings.adapter;
-                    machine_page.show(ui, &machine, chosen, &editor);
+                    panel.machine.show(ui, &machine, chosen, &editor);
                 }
                 Page::Limitations => limitations_page::show(ui, &bindings),
                 Page::Settings => settings_page::show(

@@ -4,18 +4,16 @@
 use crate::app::ui::number::{eight_digits, four_decimals, trimmed};
 use bevy_egui::egui;
 
-/// A number that was typed, or what is wrong with the text.
-pub(super) type Typed = Result<f64, String>;
-
 /// Shows a number in a framed field. Returns what was typed when the user leaves the field or
-/// presses Enter, and nothing if the text is as it was or Esc was pressed.
+/// presses Enter, or what is wrong with the text, and nothing if the text is as it was or Esc was
+/// pressed.
 pub(super) fn number_field(
     ui: &mut egui::Ui,
     id: egui::Id,
     value: f64,
     unit: &str,
     width: f32,
-) -> Option<Typed> {
+) -> Option<Result<f64, String>> {
     let draft: Option<String> = ui.data(|data| data.get_temp(id));
     let mut text = draft
         .clone()
@@ -74,7 +72,7 @@ fn all_digits(value: f64) -> String {
 }
 
 /// The number in a text, with or without its unit, with a point or a comma.
-fn parsed(text: &str, unit: &str) -> Typed {
+fn parsed(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let suffix = suffix(unit);
     let number = text.strip_suffix(suffix.trim()).unwrap_or(text);

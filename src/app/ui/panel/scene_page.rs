@@ -165,15 +165,14 @@ fn show_row(
         } else {
             ui.visuals().text_color()
         };
-        let left = egui::Layout::left_to_right(egui::Align::Center);
-        ui.allocate_ui_with_layout(egui::vec2(LABEL_WIDTH, 22.0), left, |ui| {
+        ui.allocate_ui(egui::vec2(LABEL_WIDTH, 22.0), |ui| {
             ui.set_min_width(LABEL_WIDTH);
             let label = egui::Label::new(egui::RichText::new(row.label).color(colour));
             ui.add(label.truncate().sense(egui::Sense::hover()))
                 .on_hover_text(help(field, idle));
         });
         let width = ui.available_width() - RESET_WIDTH;
-        ui.allocate_ui_with_layout(egui::vec2(width, 22.0), left, |ui| {
+        ui.allocate_ui(egui::vec2(width, 22.0), |ui| {
             ui.set_min_width(width);
             change = show_value(ui, field, row.shown, &value, range).transpose();
         });

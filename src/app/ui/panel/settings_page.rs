@@ -35,10 +35,8 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.strong("Keys");
         let reset = ui.button("Reset keys");
-        if reset
-            .on_hover_text("Every key and button as it was at first")
-            .clicked()
-        {
+        let reset = reset.on_hover_text("Every key and button as it was at first");
+        if reset.clicked() {
             **bindings = Bindings::default();
             **pad_bindings = PadBindings::default();
         }

@@ -18,16 +18,12 @@ pub(super) fn switch(ui: &mut egui::Ui, on: &mut bool) -> bool {
         SIZE,
     );
     let visuals = ui.style().interact(&response);
-    let (fill, word, colour) = if *on {
-        (ACCENT.gamma_multiply(0.75), "on", TEXT)
-    } else {
-        (visuals.bg_fill, "off", WEAK_TEXT)
-    };
     let radius = 0.5 * SIZE.y;
-    let knob = if *on {
-        rail.right() - radius
+    let (fill, word, colour, knob) = if *on {
+        let fill = ACCENT.gamma_multiply(0.75);
+        (fill, "on", TEXT, rail.right() - radius)
     } else {
-        rail.left() + radius
+        (visuals.bg_fill, "off", WEAK_TEXT, rail.left() + radius)
     };
     let painter = ui.painter();
     painter.rect(
