@@ -28,7 +28,7 @@ const SMALL_RADIUS: f32 = 36.0;
 const MIN_RING: f32 = 14.0;
 const RING_DISTANCE: f32 = 6.0;
 /// Sine of the angle from straight back within which a target counts as behind the camera.
-const BEHIND: f64 = 0.2;
+const BEHIND: f32 = 0.2;
 /// Size of the label, in points.
 const TEXT_SIZE: f32 = 14.0;
 const BRIGHT: Color32 = Color32::from_gray(235);
@@ -63,14 +63,13 @@ fn show_compass(
 
 /// Draws an arrow toward a target with this direction on the camera's axes.
 fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &str) {
-    let aside = glam::DVec2::new(target.x, -target.y);
+    let aside = egui::vec2(target.x as f32, -target.y as f32);
     let behind = target.z < 0.0 && aside.length() < BEHIND;
     // No side is nearer to a target straight behind, so the arrow points down.
-    let toward = if behind {
+    let toward = if behind || aside == Vec2::ZERO {
         Vec2::DOWN
     } else {
-        let toward = aside.normalize_or(glam::DVec2::Y);
-        egui::vec2(toward.x as f32, toward.y as f32)
+        aside.normalized()
     };
     let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
     let tip = free.center() + toward * axes;

@@ -2,7 +2,7 @@
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::state::end_card::EndCard;
-use crate::app::ui::screen::Screen;
+use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
 
@@ -46,32 +46,28 @@ fn show_end_card(
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(context.content_rect().width() - 40.0));
-            egui::Frame::new()
-                .fill(egui::Color32::from_black_alpha(240))
-                .inner_margin(22)
-                .corner_radius(8)
-                .show(ui, |ui| {
-                    let white = egui::Color32::from_gray(240);
-                    let text = |text: &str, size: f32, colour| {
-                        egui::RichText::new(text).size(size).color(colour)
-                    };
-                    ui.label(text(&end_card.title, 22.0, white));
-                    ui.add_space(6.0);
-                    ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
-                    ui.add_space(12.0);
-                    egui::Grid::new("ways")
-                        .num_columns(2)
-                        .spacing([16.0, 5.0])
-                        .show(ui, |ui| {
-                            for (id, does) in &end_card.ways {
-                                let inputs = inputs(id);
-                                if !inputs.is_empty() {
-                                    ui.label(text(&inputs, 15.0, KEY));
-                                    ui.label(text(does, 15.0, white));
-                                    ui.end_row();
-                                }
+            text_box(22.0, 8.0).show(ui, |ui| {
+                let white = egui::Color32::from_gray(240);
+                let text = |text: &str, size: f32, colour| {
+                    egui::RichText::new(text).size(size).color(colour)
+                };
+                ui.label(text(&end_card.title, 22.0, white));
+                ui.add_space(6.0);
+                ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
+                ui.add_space(12.0);
+                egui::Grid::new("ways")
+                    .num_columns(2)
+                    .spacing([16.0, 5.0])
+                    .show(ui, |ui| {
+                        for (id, does) in &end_card.ways {
+                            let inputs = inputs(id);
+                            if !inputs.is_empty() {
+                                ui.label(text(&inputs, 15.0, KEY));
+                                ui.label(text(does, 15.0, white));
+                                ui.end_row();
                             }
-                        });
-                });
+                        }
+                    });
+            });
         });
 }

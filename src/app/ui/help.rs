@@ -108,9 +108,8 @@ fn show_help(
         .into_iter()
         .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
         .unwrap_or(sets[3]);
-    let mut open = true;
     egui::Window::new("Help")
-        .open(&mut open)
+        .open(&mut overlays.help)
         .order(egui::Order::Foreground)
         .collapsible(false)
         .resizable(false)
@@ -142,9 +141,6 @@ fn show_help(
                 "{help} closes this help.   Rebind keys in the panel ({panel}) > Settings.   {RADIUS_UNIT}"
             ));
         });
-    if !open {
-        overlays.help = false;
-    }
     Ok(())
 }
 

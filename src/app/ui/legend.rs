@@ -1,7 +1,7 @@
 //! The legend of a diagnostic view, in the upper right corner: what its colours mean.
 
 use crate::app::state::shown_picture::ShownPicture;
-use crate::app::ui::screen::Screen;
+use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
 use lightfall_core::scene::{Scene, View};
@@ -27,14 +27,10 @@ fn show_legend(mut screen: Screen, shown: Res<ShownPicture>) {
         .interactable(false)
         .order(egui::Order::Background)
         .show(context, |ui| {
-            let frame = egui::Frame::new()
-                .fill(egui::Color32::from_black_alpha(240))
-                .inner_margin(8)
-                .corner_radius(5);
-            frame.show(ui, |ui| {
+            text_box(8.0, 5.0).show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
                 ui.set_max_width(MAX_WIDTH);
-                ui.label(egui::RichText::new(view.legend).size(13.0).strong());
+                ui.strong(view.legend);
                 for (colour, meaning) in view.swatches {
                     ui.horizontal(|ui| {
                         let (rect, _) =
@@ -43,11 +39,11 @@ fn show_legend(mut screen: Screen, shown: Res<ShownPicture>) {
                         let fill = as_shown((*colour).into());
                         ui.painter()
                             .rect(rect, 1.0, fill, edge, egui::StrokeKind::Inside);
-                        ui.label(egui::RichText::new(*meaning).size(13.0));
+                        ui.label(*meaning);
                     });
                 }
                 if let Some(reason) = why_empty(scene) {
-                    ui.label(egui::RichText::new(reason).size(13.0));
+                    ui.label(reason);
                 }
             });
         });
@@ -76,12 +72,8 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
 /// picture. The curve is Khronos PBR neutral, whose shoulder no mark reaches.
 fn as_shown(colour: Vec3) -> egui::Color32 {
     let light = lightfall_core::gpu::MARK_BRIGHTNESS as f32 * colour;
-    let least = light.min_element();
-    let offset = if least < 0.08 {
-        least - 6.25 * least * least
-    } else {
-        0.04
-    };
+    let least = light.min_element().min(0.08);
+    let offset = least - 6.25 * least * least;
     let [r, g, b] = (light - offset).to_array();
     egui::Rgba::from_rgb(r, g, b).into()
 }

@@ -10,11 +10,15 @@ use crate::app::state::overlays::Overlays;
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
+use egui::RichText;
 use lightfall_render::CurrentScene;
 
 /// Sizes of the two lines, in points.
 const TITLE_SIZE: f32 = 28.0;
 const TEXT_SIZE: f32 = 15.0;
+/// Colours of the two lines.
+const TITLE: egui::Color32 = egui::Color32::from_gray(238);
+const TEXT: egui::Color32 = egui::Color32::from_gray(200);
 /// Height of a notice from the top, as a share of the window's height: above the hole.
 const NOTICE_HEIGHT: f32 = 0.2;
 
@@ -35,18 +39,17 @@ fn show_notice(
     let Some((context, room)) = screen.room().filter(|_| !is_covered) else {
         return;
     };
-    let window = context.content_rect();
-    let across = room.center().x - window.center().x;
+    let middle = room.center();
     if let Some([title, text]) = notice.lines {
-        let down = (NOTICE_HEIGHT - 0.5) * window.height();
-        draw(context, [across, down], title, text);
+        let height = NOTICE_HEIGHT * context.content_rect().height();
+        draw(context, egui::pos2(middle.x, height), title, text);
     } else if hole.0.is_some_and(|hole| hole.fills_view) {
         let text = way_out(is_inside(&scene), &bindings);
-        draw(context, [across, 0.0], "The hole fills the view", &text);
+        draw(context, middle, "The hole fills the view", &text);
     } else if scene.view.shows_light() && !scene.shines() {
         let [disk, sky] = ["scene.disk", "scene.sky"].map(|id| bindings.first_label(id));
         let text = format!("{disk} shows the disk  ·  {sky} shows the sky");
-        draw(context, [across, 0.0], "Nothing shines here", &text);
+        draw(context, middle, "Nothing shines here", &text);
     }
 }
 
@@ -62,10 +65,11 @@ fn way_out(inside: bool, bindings: &Bindings) -> String {
     format!("{face} faces outward  ·  {away}{undo} returns")
 }
 
-/// Draws two centred lines, at this distance in points from the middle of the window.
-fn draw(context: &egui::Context, from_middle: [f32; 2], title: &str, text: &str) {
+/// Draws two lines around this point.
+fn draw(context: &egui::Context, middle: egui::Pos2, title: &str, text: &str) {
     egui::Area::new("notice".into())
-        .anchor(egui::Align2::CENTER_CENTER, from_middle)
+        .pivot(egui::Align2::CENTER_CENTER)
+        .fixed_pos(middle)
         .interactable(false)
         .order(egui::Order::Background)
         .show(context, |ui| {
@@ -76,13 +80,9 @@ fn draw(context: &egui::Context, from_middle: [f32; 2], title: &str, text: &str)
                 .corner_radius(10);
             frame.show(ui, |ui| {
                 ui.vertical_centered(|ui| {
-                    let line = |text: &str, size, gray| {
-                        let colour = egui::Color32::from_gray(gray);
-                        egui::RichText::new(text).size(size).color(colour)
-                    };
-                    ui.label(line(title, TITLE_SIZE, 238));
+                    ui.label(RichText::new(title).size(TITLE_SIZE).color(TITLE));
                     ui.add_space(4.0);
-                    ui.label(line(text, TEXT_SIZE, 200));
+                    ui.label(RichText::new(text).size(TEXT_SIZE).color(TEXT));
                 });
             });
         });

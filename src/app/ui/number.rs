@@ -6,15 +6,11 @@ use lightfall_core::numbers::four_digits;
 /// decimals would hide them.
 pub(crate) fn four_decimals(number: f64) -> String {
     let number = eight_digits(number);
-    let size = number.abs();
-    if number == 0.0 {
-        "0".into()
-    } else if (0.01..1e9).contains(&size) {
-        trimmed(format!("{number:.4}"))
-    } else if (1e-3..1e9).contains(&size) {
-        format!("{number}")
-    } else {
-        format!("{number:e}")
+    match number.abs() {
+        0.0 => "0".into(),
+        1e-3..0.01 => format!("{number}"),
+        0.01..1e9 => trimmed(format!("{number:.4}")),
+        _ => format!("{number:e}"),
     }
 }
 

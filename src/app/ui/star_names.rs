@@ -3,12 +3,13 @@
 
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::guides::Placement;
+use crate::app::ui::screen::{Screen, draw_below_boxes};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
+use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
-use lightfall_core::scene::{Camera, Scene, SkyMode};
+use lightfall_core::scene::{Scene, SkyMode};
 use lightfall_platform::worker::Follower;
 use lightfall_render::{DrawnScene, StarCatalogue};
 
@@ -28,18 +29,13 @@ const SHADE: Color32 = Color32::from_black_alpha(215);
 #[derive(Resource)]
 struct StarNames(Follower<Scene, Vec<NamedImage>>);
 
-impl FromWorld for StarNames {
-    fn from_world(world: &mut World) -> Self {
-        let stars = *world.resource::<StarCatalogue>();
-        // A drawn scene has an observer, and so has images.
-        Self(Follower::new(move |sky| {
-            named_images(sky, &stars, MAX_NAMES, FAINTEST).unwrap_or_default()
-        }))
-    }
-}
-
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<StarNames>()
+    let stars = *app.world().resource::<StarCatalogue>();
+    // A drawn scene has an observer, and so has images.
+    let names = Follower::new(move |sky| {
+        named_images(sky, &stars, MAX_NAMES, FAINTEST).unwrap_or_default()
+    });
+    app.insert_resource(StarNames(names))
         .add_systems(Update, find_images)
         .add_systems(EguiPrimaryContextPass, show_star_names);
 }
@@ -64,12 +60,9 @@ fn sky_of(scene: &Scene) -> Scene {
         sky.picture.width = scene.picture.width;
         sky.picture.height = scene.picture.height;
     } else {
-        sky.camera = Camera {
-            r: scene.camera.r,
-            theta_deg: scene.camera.theta_deg,
-            phi_deg: scene.camera.phi_deg,
-            ..Camera::default()
-        };
+        sky.camera.r = scene.camera.r;
+        sky.camera.theta_deg = scene.camera.theta_deg;
+        sky.camera.phi_deg = scene.camera.phi_deg;
     }
     sky
 }
@@ -81,31 +74,24 @@ fn find_images(scene: Res<DrawnScene>, overlays: Res<Overlays>, mut names: ResMu
 }
 
 fn show_star_names(
-    mut contexts: EguiContexts,
+    mut screen: Screen,
     window: Single<&Window, With<PrimaryWindow>>,
     scene: Res<DrawnScene>,
     overlays: Res<Overlays>,
     names: Res<StarNames>,
-) -> Result {
+) {
     // Names of an earlier place of the camera would point at nothing.
-    let found = names.0.newest().filter(|(sky, _)| {
-        overlays.shows_star_names() && has_stars(&scene) && *sky == sky_of(&scene)
-    });
-    let Some((_, images)) = found else {
-        return Ok(());
+    let found = names
+        .0
+        .newest()
+        .filter(|(sky, _)| overlays.star_names && has_stars(&scene) && *sky == sky_of(&scene));
+    let (Some((context, _)), Some((_, images))) = (screen.room(), found) else {
+        return;
     };
-    let context = contexts.ctx_mut()?;
     let placement = Placement::new(&scene, &window, context);
-    egui::Area::new("star names".into())
-        .fixed_pos(placement.picture.min)
-        .interactable(false)
-        .fade_in(false)
-        .order(egui::Order::Background)
-        .show(context, |ui| {
-            let painter = ui.painter().with_clip_rect(placement.picture);
-            draw(&painter, images, &placement);
-        });
-    Ok(())
+    draw_below_boxes(context, "star names", placement.picture, |painter| {
+        draw(painter, images, &placement);
+    });
 }
 
 /// Draws a ring around each image and its name beside it, the brightest first. An image whose name
@@ -117,8 +103,7 @@ fn draw(painter: &Painter, images: &[NamedImage], placement: &Placement) {
             continue;
         };
         let galley = painter.layout_no_wrap(words(image), FontId::proportional(SIZE), COLOUR);
-        let place = free_place(at, galley.size(), placement.picture, &taken);
-        if let Some(place) = place {
+        if let Some(place) = free_place(at, galley.size(), placement.picture, &taken) {
             painter.circle_stroke(at, RING, Stroke::new(1.0, COLOUR.gamma_multiply(0.7)));
             painter.rect_filled(place.expand(1.0), 2.0, SHADE);
             painter.galley(place.min, galley, COLOUR);

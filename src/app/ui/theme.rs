@@ -30,9 +30,7 @@ pub(crate) fn plugin(app: &mut App) {
     .add_systems(Update, attach_to_screen)
     .add_systems(
         EguiPrimaryContextPass,
-        (prepare_letters, apply_theme)
-            .chain()
-            .run_if(any_with_component::<PrimaryEguiContext>),
+        (prepare_letters, apply_theme).chain(),
     );
 }
 

@@ -2,9 +2,10 @@
 //! scale bar.
 
 use super::place::Placement;
-use super::style::{Style, label, meaning};
+use super::style::{Style, meaning, name};
 use crate::app::ui::number::{in_words, round_length};
-use bevy_egui::egui::{self, Color32, RichText, Stroke, pos2, vec2};
+use crate::app::ui::screen::text_box;
+use bevy_egui::egui::{self, Color32, RichText, Stroke, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
@@ -16,7 +17,7 @@ const SIZE: f32 = 12.5;
 const WIDTH: f32 = 292.0;
 /// Maximum length of the scale bar, in points.
 const LONGEST_BAR: f64 = 200.0;
-/// Room at the edge of the window, in points.
+/// Room inside the edges of the key, in points.
 const MARGIN: f32 = 8.0;
 const TEXT: Color32 = Color32::from_gray(238);
 const WEAK: Color32 = Color32::from_gray(198);
@@ -45,11 +46,7 @@ pub(super) fn show_key(
         .interactable(false)
         .order(egui::Order::Background);
     let shown = area.show(context, |ui| {
-        let frame = egui::Frame::new()
-            .fill(Color32::from_black_alpha(240))
-            .inner_margin(MARGIN)
-            .corner_radius(5);
-        frame.show(ui, |ui| {
+        text_box(MARGIN, 5.0).show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().item_spacing = vec2(8.0, 3.0);
             let title = if tracing.right_side {
@@ -105,8 +102,8 @@ fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
         ui.painter().extend(style.dashed(&ends, stroke));
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let name = label(guide, kerr).replace(" (flat)", "");
-            ui.label(RichText::new(name).size(SIZE).color(style.colour));
+            let name = RichText::new(name(guide, kerr)).size(SIZE);
+            ui.label(name.color(style.colour));
             ui.label(RichText::new(meaning(guide, kerr)).size(SIZE).color(TEXT));
         });
     });
@@ -132,11 +129,9 @@ fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: Hole
     let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, 10.0), egui::Sense::hover());
     let stroke = Stroke::new(2.0, TEXT);
     let (start, y) = (rect.left() + 1.0, rect.center().y);
-    ui.painter()
-        .line_segment([pos2(start, y), pos2(start + width, y)], stroke);
+    ui.painter().hline(start..=start + width, y, stroke);
     for x in [start, start + width] {
-        ui.painter()
-            .line_segment([pos2(x, rect.top()), pos2(x, rect.bottom())], stroke);
+        ui.painter().vline(x, rect.y_range(), stroke);
     }
     let kilometres = length * mass.metres() / 1000.0;
     let text = format!(

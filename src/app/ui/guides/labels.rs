@@ -1,6 +1,9 @@
 //! The labels of the guides: columns of names beside the hole, each joined to its line.
 
-use bevy_egui::egui::{self, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, vec2};
+use crate::app::ui::screen::BOX;
+use bevy_egui::egui::{
+    self, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2,
+};
 use std::sync::Arc;
 
 /// A label, before it has a place.
@@ -20,8 +23,6 @@ const GAP: f32 = 5.0;
 /// Distance of the column from the figure, and from the edge of the free part of the picture.
 const DISTANCE: f32 = 34.0;
 const MARGIN: f32 = 12.0;
-/// Colour of the box behind a text, on which the text is legible over any picture.
-const BOX: Color32 = Color32::from_black_alpha(240);
 
 /// A label with the point of the line that it is joined to.
 struct Anchored {
@@ -91,7 +92,8 @@ fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<
 /// The labels on one side of the figure, one below the other.
 struct Column {
     labels: Vec<Anchored>,
-    right: bool,
+    /// The edge of the labels toward the figure.
+    inner: Align2,
 }
 
 impl Column {
@@ -100,20 +102,17 @@ impl Column {
         labels.sort_by(|a, b| a.anchor.y.total_cmp(&b.anchor.y));
         let widths = labels.iter().map(|label| label.place.width());
         let width = widths.fold(0.0, f32::max);
-        let aligned = if right {
-            (figure.right() + DISTANCE).min(free.right() - MARGIN - width)
+        let (inner, x) = if right {
+            let x = (figure.right() + DISTANCE).min(free.right() - MARGIN - width);
+            (Align2::LEFT_CENTER, x)
         } else {
-            (figure.left() - DISTANCE).max(free.left() + MARGIN + width)
+            let x = (figure.left() - DISTANCE).max(free.left() + MARGIN + width);
+            (Align2::RIGHT_CENTER, x)
         };
         for label in &mut labels {
-            let edge = if right {
-                label.place.left()
-            } else {
-                label.place.right()
-            };
-            label.place = label.place.translate(vec2(aligned - edge, 0.0));
+            label.place = inner.anchor_size(pos2(x, label.anchor.y), label.place.size());
         }
-        Self { labels, right }
+        Self { labels, inner }
     }
 
     /// The place of all labels before they make room for each other.
@@ -144,11 +143,7 @@ impl Column {
 
     fn draw(&self, painter: &Painter) {
         for label in &self.labels {
-            let joint = if self.right {
-                label.place.left_center()
-            } else {
-                label.place.right_center()
-            };
+            let joint = self.inner.pos_in_rect(&label.place);
             for (extra, colour) in [(2.0, Color32::from_black_alpha(170)), (0.0, label.colour)] {
                 painter.line_segment([label.anchor, joint], Stroke::new(1.0 + extra, colour));
                 painter.circle_filled(label.anchor, 2.6 + 0.5 * extra, colour);

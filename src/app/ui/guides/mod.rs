@@ -9,9 +9,10 @@ mod style;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::legend::LEGEND;
+use crate::app::ui::screen::{MARGIN, Screen, draw_below_boxes};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use bevy_egui::{EguiPrimaryContextPass, egui};
 use glam::DVec2;
 use key::{KEY, Tracing, show_key};
 use labels::{Label, draw_labels};
@@ -23,14 +24,12 @@ use lightfall_platform::worker::Follower;
 use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene};
 pub(in crate::app::ui) use place::Placement;
 use place::draw_line;
-use style::{Style, label};
+use style::{Style, name};
 
 /// Opacity of the slow guides while they belong to an earlier place of the camera.
 const STALE: f32 = 0.3;
 /// Room for the read-outs at the bottom, in points.
-const READ_OUT_HEIGHT: f32 = 104.0;
-/// Room at the edge of the window, in points.
-const MARGIN: f32 = 12.0;
+const READ_OUT_HEIGHT: f32 = 92.0;
 
 /// The guides, each kind after the scene that it belongs to, as [`sky_of`] gives it.
 #[derive(Resource)]
@@ -81,23 +80,18 @@ fn trace_guides(scene: Res<DrawnScene>, mut guides: ResMut<Guides>) {
 }
 
 fn show_guides(
-    mut contexts: EguiContexts,
+    mut screen: Screen,
     window: Single<&Window, With<PrimaryWindow>>,
     scene: Res<DrawnScene>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
     (guides, compared): (Res<Guides>, Res<ComparedScene>),
-) -> Result {
-    let Some((sky, quick)) = guides.quick.as_ref().filter(|_| overlays.shows_guides()) else {
-        return Ok(());
+) {
+    let quick = guides.quick.as_ref().filter(|_| overlays.guides);
+    let (Some((context, room)), Some((sky, quick))) = (screen.room(), quick) else {
+        return;
     };
-    let context = contexts.ctx_mut()?;
     let placement = Placement::new(&scene, &window, context);
-    let screen = context.content_rect();
-    let room = egui::Rect::from_x_y_ranges(
-        screen.left() + overlays.left_width()..=screen.right() - overlays.right_width(),
-        screen.y_range(),
-    );
     // In a comparison the guides belong to the present scene, which is on the right side.
     let divider = match compared.drawn() {
         Some((_, ComparisonLayout::SideBySide { columns })) => {
@@ -105,10 +99,10 @@ fn show_guides(
         }
         _ => None,
     };
-    let mut visible = placement.picture.intersect(room);
+    let mut visible = placement.picture.intersect(room.expand(MARGIN));
     visible.min.x = divider.map_or(visible.min.x, |divider| visible.min.x.max(divider));
     if !visible.is_positive() {
-        return Ok(());
+        return;
     }
     let traced = guides.slow.newest();
     let waiting = traced.is_none_or(|(traced, _)| traced != sky);
@@ -119,18 +113,15 @@ fn show_guides(
     let legend = context
         .memory(|memory| memory.area_rect(LEGEND))
         .filter(|_| scene.view != View::Colour);
-    let top = legend.map_or(room.top(), |legend| legend.bottom());
+    let top = legend.map_or(room.top(), |legend| legend.bottom() + MARGIN);
     let known: Vec<Guide> = quick.iter().chain(slow).cloned().collect();
     let key = show_key(
         context,
         &scene,
         &known,
         &placement,
-        HoleMass {
-            name: "chosen",
-            suns: preferences.settings.hole_mass_suns,
-        },
-        [room.right() - MARGIN, top + MARGIN],
+        HoleMass::of_suns(preferences.settings.hole_mass_suns),
+        [room.right(), top],
         Tracing {
             waiting,
             right_side: divider.is_some(),
@@ -139,75 +130,56 @@ fn show_guides(
 
     let free = egui::Rect::from_x_y_ranges(
         visible.x_range(),
-        visible.top().max(screen.top() + MARGIN)
-            ..=visible.bottom().min(screen.bottom() - READ_OUT_HEIGHT),
+        visible.top().max(room.top())..=visible.bottom().min(room.bottom() - READ_OUT_HEIGHT),
     );
     let taken: Vec<_> = legend.into_iter().chain([key]).collect();
-    let figure = Figure {
-        kerr: scene.kerr(),
-        placement,
-        quick,
-        slow,
-        slow_strength: if waiting { STALE } else { 1.0 },
-    };
-    // The lines have an area of their own, below every box.
-    egui::Area::new("guides".into())
-        .fixed_pos(visible.min)
-        .interactable(false)
-        .fade_in(false)
-        .order(egui::Order::Background)
-        .show(context, |ui| {
-            let painter = ui.painter().with_clip_rect(visible);
-            let labels = figure.draw(&painter);
-            if free.is_positive() {
-                draw_labels(&painter, labels, free, &taken);
-            }
-        });
+    let strength = if waiting { STALE } else { 1.0 };
+    draw_below_boxes(context, "guides", visible, |painter| {
+        let labels = draw_lines(painter, &placement, scene.kerr(), quick, slow, strength);
+        if free.is_positive() {
+            draw_labels(painter, labels, free, &taken);
+        }
+    });
     for name in [LEGEND, KEY].map(egui::Id::new) {
         context.move_to_top(egui::LayerId::new(egui::Order::Background, name));
     }
-    Ok(())
 }
 
-/// The guides of one frame.
-struct Figure<'a> {
+/// Draws the lines, and returns the labels of the guides that belong to the present sky. Flat guides are
+/// drawn first, below the traced ones. `slow_strength` is the opacity of the slow guides.
+fn draw_lines(
+    painter: &egui::Painter,
+    placement: &Placement,
     kerr: Kerr,
-    placement: Placement,
-    quick: &'a [Guide],
-    slow: &'a [Guide],
-    /// Opacity of the slow guides.
+    quick: &[Guide],
+    slow: &[Guide],
     slow_strength: f32,
-}
-
-impl Figure<'_> {
-    /// Draws the lines, and returns the labels of the guides that belong to the present sky. Flat
-    /// guides are drawn first, below the traced ones.
-    fn draw(&self, painter: &egui::Painter) -> Vec<Label> {
-        let (flat, bent): (Vec<_>, Vec<_>) = self.quick.iter().partition(|guide| guide.flat);
-        let lines = flat
-            .into_iter()
-            .map(|guide| (guide, 1.0))
-            .chain(self.slow.iter().map(|guide| (guide, self.slow_strength)))
-            .chain(bent.into_iter().map(|guide| (guide, 1.0)));
-        let mut labels = Vec::new();
-        for (guide, strength) in lines {
-            let style = Style::of(guide);
-            let curves = guide.curves.iter();
-            let parts: Vec<_> = curves
-                .flat_map(|curve| self.placement.visible_parts(curve))
-                .collect();
-            for part in &parts {
-                draw_line(painter, part, style, strength);
-            }
-            if strength == 1.0 {
-                labels.push(Label {
-                    text: label(guide, self.kerr),
-                    colour: style.colour,
-                    points: parts.concat(),
-                    toward: style.toward,
-                });
-            }
+) -> Vec<Label> {
+    let (flat, bent): (Vec<_>, Vec<_>) = quick.iter().partition(|guide| guide.flat);
+    let lines = flat
+        .into_iter()
+        .map(|guide| (guide, 1.0))
+        .chain(slow.iter().map(|guide| (guide, slow_strength)))
+        .chain(bent.into_iter().map(|guide| (guide, 1.0)));
+    let mut labels = Vec::new();
+    for (guide, strength) in lines {
+        let style = Style::of(guide);
+        let curves = guide.curves.iter();
+        let parts: Vec<_> = curves
+            .flat_map(|curve| placement.visible_parts(curve))
+            .collect();
+        for part in &parts {
+            draw_line(painter, part, style, strength);
         }
-        labels
+        if strength == 1.0 {
+            let flat = if guide.flat { " (flat)" } else { "" };
+            labels.push(Label {
+                text: format!("{}{flat}", name(guide, kerr)),
+                colour: style.colour,
+                points: parts.concat(),
+                toward: style.toward,
+            });
+        }
     }
+    labels
 }

@@ -47,16 +47,18 @@ impl Style {
 
     /// A line with the style's dashes.
     pub(super) fn dashed(&self, line: &[Pos2], stroke: Stroke) -> Vec<Shape> {
-        match self.dashes {
-            None => vec![Shape::line(line.to_vec(), stroke)],
-            Some([dash, gap]) => Shape::dashed_line(line, stroke, dash, gap),
+        match (self.dashes, line) {
+            (Some([dash, gap]), _) => Shape::dashed_line(line, stroke, dash, gap),
+            // Segments end at the edges of pixels, lines do not.
+            (None, [from, to]) => vec![Shape::line_segment([*from, *to], stroke)],
+            (None, _) => vec![Shape::line(line.to_vec(), stroke)],
         }
     }
 }
 
-/// The label of a guide in the picture.
-pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
-    let name = match guide.landmark {
+/// The name of what a guide shows.
+pub(super) fn name(guide: &Guide, kerr: Kerr) -> &'static str {
+    match guide.landmark {
         Landmark::ShadowEdge => "edge of the shadow",
         Landmark::StableOrbit => "innermost stable orbit",
         Landmark::StableOrbitAgain => "second image of that orbit",
@@ -64,11 +66,6 @@ pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
         Landmark::Horizon => "horizon",
         Landmark::PhotonSphere if kerr.spin == 0.0 => "photon sphere",
         Landmark::PhotonSphere => "photon shell",
-    };
-    if guide.flat {
-        format!("{name} (flat)")
-    } else {
-        name.into()
     }
 }
 

@@ -1,5 +1,6 @@
 //! A board: texts in a dark box, in which they are legible over any picture.
 
+use crate::app::ui::screen::BOX;
 use bevy_egui::egui;
 use egui::{Align2, Color32, FontId, Galley, LayerId, Order, Painter, Pos2, Rect, Vec2};
 use std::sync::Arc;
@@ -11,9 +12,6 @@ pub(super) const MIN_WIDTH: f32 = 240.0;
 /// Size of the text, in points.
 pub(super) const TEXT: f32 = 13.5;
 
-/// Colour of the box. It is blended in linear light, so that over pure white it has a luminance of 0.06,
-/// on which every colour below has a contrast of more than 4.5:1 (WCAG 2.2, 1.4.3).
-const BOX: Color32 = Color32::from_black_alpha(240);
 /// Colour of the most important texts.
 pub(super) const BRIGHT: Color32 = Color32::from_gray(238);
 /// Colour of labels and key hints.
@@ -52,8 +50,8 @@ impl Board {
     /// Puts the board above the panels.
     pub(super) fn raise(&mut self) {
         let name = self.painter.layer_id().id;
-        let layer = LayerId::new(Order::Foreground, name);
-        self.painter.set_layer_id(layer);
+        self.painter
+            .set_layer_id(LayerId::new(Order::Foreground, name));
     }
 
     /// Lays a text out in lines of at most `width` points.

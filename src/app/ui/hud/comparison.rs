@@ -153,7 +153,11 @@ impl Labels<'_> {
         }
         let label = board.place(anchor, pos2(x, self.room.top()));
         if label.left() >= self.room.left() && label.right() <= self.room.right() {
-            board.paint(anchor, pos2(x, self.below_legend(label)));
+            // The label does not cover the legend of a view.
+            let legend = self.context.memory(|memory| memory.area_rect(LEGEND));
+            let covered = legend.filter(|legend| legend.intersects(label));
+            let y = covered.map_or(label.top(), |legend| legend.bottom() + GAP);
+            board.paint(anchor, pos2(x, y));
         }
     }
 
@@ -165,15 +169,5 @@ impl Labels<'_> {
             board.add_line(board.text(line, TEXT, *colour, width), 2.0);
         }
         board.paint(Align2::CENTER_TOP, self.room.center_top());
-    }
-
-    /// The height at which a label does not cover the legend of a view.
-    fn below_legend(&self, label: Rect) -> f32 {
-        let legend = self.context.memory(|memory| memory.area_rect(LEGEND));
-        let covers = |legend: &Rect| legend.x_range().intersects(label.x_range());
-        match legend.filter(covers) {
-            Some(legend) if legend.bottom() > label.top() => legend.bottom() + GAP,
-            _ => label.top(),
-        }
     }
 }

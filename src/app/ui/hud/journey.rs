@@ -4,7 +4,7 @@ use super::board::{BOTTOM_ROW, BRIGHT, Board, WARNING};
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::screen::{MARGIN, Screen};
+use crate::app::ui::screen::{BOX, MARGIN, Screen};
 use bevy::prelude::*;
 use bevy_egui::egui;
 
@@ -20,7 +20,6 @@ const MAX_WIDTH: f32 = 860.0;
 const FADE: f64 = 0.4;
 /// Height of the progress bar, in points.
 const BAR: f32 = 4.0;
-const FLOWN: egui::Color32 = WARNING;
 
 pub(super) fn show_journey(
     mut screen: Screen,
@@ -71,9 +70,9 @@ fn show_progress(context: &egui::Context, share: f32) {
     let painter = context.layer_painter(layer);
     let mut bar = context.content_rect();
     bar.min.y = bar.bottom() - BAR;
-    painter.rect_filled(bar, 0.0, egui::Color32::from_black_alpha(240));
+    painter.rect_filled(bar, 0.0, BOX);
     bar.set_width(bar.width() * share);
-    painter.rect_filled(bar, 0.0, FLOWN);
+    painter.rect_filled(bar, 0.0, WARNING);
 }
 
 /// Shows two upright bars below the middle of the upper edge.
@@ -81,7 +80,7 @@ fn show_pause(context: &egui::Context, top: egui::Pos2) {
     let layer = egui::LayerId::new(egui::Order::Background, "pause".into());
     let painter = context.layer_painter(layer);
     let centre = top + egui::vec2(0.0, 60.0);
-    painter.circle_filled(centre, 24.0, egui::Color32::from_black_alpha(240));
+    painter.circle_filled(centre, 24.0, BOX);
     for side in [-5.5, 5.5] {
         let size = egui::vec2(6.0, 20.0);
         let upright = egui::Rect::from_center_size(centre + egui::vec2(side, 0.0), size);

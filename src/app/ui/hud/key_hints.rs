@@ -34,12 +34,13 @@ struct Tried {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Tried>()
-        .add_systems(Update, (watch_use, name_keys_again));
+    app.init_resource::<Tried>().add_systems(Update, watch_use);
 }
 
-/// Hides the newcomer's keys once they have been used.
+/// Hides the newcomer's keys once they have been used, and shows them again after the help was asked
+/// for.
 fn watch_use(
+    mut commands: MessageReader<AppCommand>,
     time: Res<Time<Real>>,
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
@@ -48,6 +49,10 @@ fn watch_use(
     mut tried: ResMut<Tried>,
     mut preferences: ResMut<Preferences>,
 ) {
+    if AppCommand::Help.count(&mut commands) > 0 {
+        *tried = Tried::default();
+        preferences.settings.key_hints = true;
+    }
     if !preferences.settings.key_hints || typing.0 {
         return;
     }
@@ -63,18 +68,6 @@ fn watch_use(
     if tried.controls.len() >= ENOUGH_CONTROLS || tried.flight >= ENOUGH_FLIGHT {
         *tried = Tried::default();
         preferences.settings.key_hints = false;
-    }
-}
-
-/// Shows the newcomer's keys again after the help was asked for.
-fn name_keys_again(
-    mut commands: MessageReader<AppCommand>,
-    mut tried: ResMut<Tried>,
-    mut preferences: ResMut<Preferences>,
-) {
-    if commands.read().any(|command| *command == AppCommand::Help) {
-        *tried = Tried::default();
-        preferences.settings.key_hints = true;
     }
 }
 
@@ -136,15 +129,13 @@ pub(super) fn show_key_hints(
     (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
     beside: Res<ReadOutsWidth>,
 ) {
-    let Some((context, room)) = screen.room() else {
-        return;
-    };
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
     let strength = if named { 1.0 } else { presence.of_mouse() };
-    if strength <= 0.0 || room.width() < MIN_WIDTH {
+    let is_shown = |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH;
+    let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
         return;
-    }
+    };
     let free = room.width() - beside.0 - 3.0 * MARGIN;
     let mut hints = if player.is_playing() {
         JOURNEY_KEYS.to_vec()

@@ -21,27 +21,20 @@ pub use read_outs::{ReadOut, read_outs};
 
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
-use comparison::show_comparison;
-use journey::show_journey;
-use key_hints::show_key_hints;
-use physics_off::show_physics_off;
-use read_outs::{ReadOutsWidth, show_read_outs};
-use title::{TitleBox, show_title};
-use toast::show_toast;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<TitleBox>()
-        .init_resource::<ReadOutsWidth>()
+    app.init_resource::<title::TitleBox>()
+        .init_resource::<read_outs::ReadOutsWidth>()
         .add_plugins((presence::plugin, key_hints::plugin))
         .add_systems(
             EguiPrimaryContextPass,
             (
-                (show_title, show_physics_off).chain(),
-                show_read_outs,
-                show_key_hints,
-                show_toast,
-                show_journey,
-                show_comparison,
+                (title::show_title, physics_off::show_physics_off).chain(),
+                read_outs::show_read_outs,
+                key_hints::show_key_hints,
+                toast::show_toast,
+                journey::show_journey,
+                comparison::show_comparison,
             ),
         );
 }

@@ -41,13 +41,10 @@ pub(super) fn show_physics_off(
     board.add_line(board.text(&line, TEXT, WARNING, room.width().max(1.0)), 0.0);
     // In the middle, or below a title that would overlap it.
     let middle = board.place(egui::Align2::CENTER_TOP, room.center_top());
-    match title.0.filter(|title| title.right() >= middle.left()) {
-        Some(title) => {
-            let below = egui::pos2(room.left(), title.bottom() + 0.5 * MARGIN);
-            board.paint(egui::Align2::LEFT_TOP, below);
-        }
-        None => {
-            board.paint(egui::Align2::CENTER_TOP, room.center_top());
-        }
+    if let Some(title) = title.0.filter(|title| title.right() >= middle.left()) {
+        let below = egui::pos2(room.left(), title.bottom() + 0.5 * MARGIN);
+        board.paint(egui::Align2::LEFT_TOP, below);
+    } else {
+        board.paint(egui::Align2::CENTER_TOP, room.center_top());
     }
 }

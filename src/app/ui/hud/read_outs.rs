@@ -120,12 +120,10 @@ pub(super) fn show_read_outs(
         strength = 1.0;
     }
     width.0 = 0.0;
-    let Some((context, room)) = screen.room() else {
+    let is_shown = |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH;
+    let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
         return;
     };
-    if strength <= 0.0 || room.width() < MIN_WIDTH {
-        return;
-    }
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
     let mut lines = read_outs(&scene, pilot.throttle * gear);
     let moves = free_fall.is_moving() || player.is_playing();
@@ -159,37 +157,35 @@ pub(super) fn show_read_outs(
 /// Puts lines of read-outs in aligned columns. If there is not enough room, the last columns are left
 /// out.
 fn put_columns(board: &mut Board, lines: &[Vec<ReadOut>], room: f32) {
-    let count = lines.iter().map(Vec::len).max().unwrap_or(0);
-    let space = board.width_of("n", TEXT);
-    let label_width = |board: &Board, label: &str| match label {
-        "" => 0.0,
-        _ => board.width_of(label, TEXT) + space,
-    };
     let row = board.text("0", TEXT, BRIGHT, f32::INFINITY).size().y + GAP[1];
+    let space = board.width_of("n", TEXT);
+    let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let mut left = 0.0;
-    for column in 0..count {
-        let cells: Vec<(usize, &ReadOut)> = lines
-            .iter()
-            .enumerate()
-            .filter_map(|(line, cells)| Some((line, cells.get(column)?)))
-            .collect();
-        let width = cells.iter().map(|(_, cell)| {
-            let widest = [cell.value.as_str(), cell.widest].map(|text| board.width_of(text, TEXT));
-            label_width(board, cell.label) + widest[0].max(widest[1])
-        });
-        let width = width.fold(0.0, f32::max);
-        if left + width > room {
-            return;
-        }
-        for (line, cell) in cells {
+    for column in 0..columns {
+        let mut right: f32 = left;
+        let mut texts = Vec::new();
+        for (line, cells) in lines.iter().enumerate() {
+            let Some(cell) = cells.get(column) else {
+                continue;
+            };
             let at = egui::vec2(left, line as f32 * row);
             let label = board.text(cell.label, TEXT, QUIET, f32::INFINITY);
             let value = board.text(&cell.value, TEXT, BRIGHT, f32::INFINITY);
-            let beside = label_width(board, cell.label);
-            board.put(at, label);
-            board.put(at + egui::vec2(beside, 0.0), value);
+            let beside = match cell.label {
+                "" => 0.0,
+                _ => label.size().x + space,
+            };
+            let width = value.size().x.max(board.width_of(cell.widest, TEXT));
+            right = right.max(left + beside + width);
+            texts.extend([(at, label), (at + egui::vec2(beside, 0.0), value)]);
         }
-        left += width + GAP[0];
-        board.widen(left - GAP[0]);
+        if right > room {
+            return;
+        }
+        for (at, text) in texts {
+            board.put(at, text);
+        }
+        board.widen(right);
+        left = right + GAP[0];
     }
 }

@@ -32,7 +32,8 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
         MenuEntry::Quit => ["Quit", "window.quit"],
         MenuEntry::Back => ["Back", ""],
         MenuEntry::Place(place) => {
-            let (preset, scene) = (&PRESETS[place], PRESETS[place].plain_scene());
+            let preset = &PRESETS[place];
+            let scene = preset.plain_scene();
             let name = format!("{}: {}", in_words(&scene.name), scene.title);
             return [name, format!("preset.{}", preset.number)];
         }

@@ -1,5 +1,6 @@
 //! The line between two compared scenes, which the mouse drags.
 
+use crate::app::ui::screen::draw_below_boxes;
 use bevy_egui::egui;
 use egui::{Color32, Rangef, Shape, Stroke, pos2, vec2};
 
@@ -44,16 +45,9 @@ pub(super) fn show_divider(
     dragged
 }
 
-/// Draws the line and its handle in a layer of their own, below the boards, so that the line crosses no
-/// text.
+/// Draws the line and its handle.
 fn draw(context: &egui::Context, x: f32, y: Rangef, held: bool) {
-    let area = egui::Area::new("divider line".into())
-        .fixed_pos([x, y.min])
-        .constrain(false)
-        .interactable(false)
-        .order(egui::Order::Background);
-    area.show(context, |ui| {
-        let painter = ui.painter().with_clip_rect(ui.ctx().content_rect());
+    draw_below_boxes(context, "divider line", context.content_rect(), |painter| {
         let wider = if held { 1.0 } else { 0.0 };
         painter.vline(x, y, Stroke::new(4.0 + wider, EDGE));
         painter.vline(x, y, Stroke::new(2.0 + wider, LINE));
