@@ -177,7 +177,7 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
         FlatSamples::U32(_) => "uint",
     };
     let listed = |options: &str| {
-        let linear = linear(&small(2), options);
+        let linear = linear(&small(2), &format!("--size 32x18 {options}"));
         let kinds: Vec<_> = linear
             .channels
             .iter()

@@ -99,6 +99,13 @@ impl Drawer {
     }
 }
 
+/// The scene with a picture of half its width and height.
+fn half(mut scene: Scene) -> Scene {
+    scene.picture.width /= 2;
+    scene.picture.height /= 2;
+    scene
+}
+
 /// The scene shown pixel by pixel at its preset's exposure: no cells, no bloom, output as large as
 /// the HDR picture.
 fn plain(mut scene: Scene) -> (Scene, UVec2) {
@@ -219,15 +226,8 @@ fn channels_take_no_more_values_than_the_levels_allow() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_same_scene_gives_the_same_bytes() {
-    let size = UVec2::new(960, 540);
-    assert!(render(&preset(2), size).unwrap().rgb == render(&preset(2), size).unwrap().rgb);
-}
-
-#[test]
-#[ignore = "needs a graphics adapter"]
 fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
-    let (mut scene, size) = plain(preset(6));
+    let (mut scene, size) = plain(half(preset(6)));
     let mut drawer = Drawer::default();
     let with_disk = drawer.draw(&scene, size);
     scene.disk.enabled = false;
@@ -248,9 +248,9 @@ fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
             around += u32::from(!same);
         }
     }
-    assert!(craft > 2_000, "the probe covers only {craft} pixels");
+    assert!(craft > 500, "the probe covers only {craft} pixels");
     assert!(
-        around > 10_000,
+        around > 2_500,
         "hiding the disk changed only {around} pixels"
     );
 }

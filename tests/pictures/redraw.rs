@@ -8,14 +8,14 @@ use lightfall_core::scene::{DiskModel, Method, ObserverKind, Scene, SkyMode, Vie
 use lightfall_picture::{PassTime, Studio, render};
 use lightfall_render::{Chain, EMPTY_PASSES};
 
-const SIZE: UVec2 = UVec2::new(320, 180);
+const SIZE: UVec2 = UVec2::new(160, 90);
 
 /// A small picture with all effects: disk, stars, bloom, cells and probe.
 fn small() -> Scene {
     let mut scene = preset(6);
     scene.picture.automatic_exposure = false;
-    (scene.picture.width, scene.picture.height) = (320, 180);
-    (scene.picture.grid_width, scene.picture.grid_height) = (160, 90);
+    (scene.picture.width, scene.picture.height) = SIZE.into();
+    (scene.picture.grid_width, scene.picture.grid_height) = (80, 45);
     scene
 }
 
@@ -51,9 +51,9 @@ const OF_NUMBERS: [(&str, fn(&mut Scene)); 21] = [
     ("picture.bloom", |scene| scene.picture.bloom = 0.5),
     ("picture.levels", |scene| scene.picture.levels = 5),
     ("picture.dither", |scene| scene.picture.dither = false),
-    ("picture.grid_width", |scene| scene.picture.grid_width = 80),
+    ("picture.grid_width", |scene| scene.picture.grid_width = 40),
     ("picture.width", |scene| {
-        (scene.picture.width, scene.picture.height) = (640, 360)
+        (scene.picture.width, scene.picture.height) = (320, 180)
     }),
 ];
 

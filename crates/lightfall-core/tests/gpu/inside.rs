@@ -120,7 +120,7 @@ fn inside_the_horizon_the_sky_and_the_disk_are_where_the_reference_has_them() {
 #[ignore = "needs a graphics adapter"]
 fn inside_a_spinning_hole_the_sky_and_the_disk_are_where_the_reference_has_them() {
     let gpu = gpu();
-    let directions = all_around(1000);
+    let directions = all_around(600);
     for spin in [0.1, 0.9, -0.9, 0.998, 0.9999] {
         let (horizon, end) = (Kerr { spin }.horizon(), min_infall_radius(Kerr { spin }));
         let mut all = Differences::default();
@@ -154,7 +154,7 @@ fn inside_a_spinning_hole_the_sky_and_the_disk_are_where_the_reference_has_them(
                     off.outcomes
                 );
                 assert!(
-                    off.sky.len() > 90,
+                    off.sky.len() > 54,
                     "{place}: {} rays to the sky",
                     off.sky.len()
                 );
@@ -169,7 +169,7 @@ fn inside_a_spinning_hole_the_sky_and_the_disk_are_where_the_reference_has_them(
             all.hits.len()
         );
         assert!(
-            all.hits.len() > 150 && middle < 1e-5 && most < 3e-4,
+            all.hits.len() > 90 && middle < 1e-5 && most < 3e-4,
             "spin {spin}: hits {middle:e}, {most:e}"
         );
         assert!(

@@ -9,7 +9,7 @@ use lightfall_lab::extremes::{Cell, Verdict, measure_matrix};
 
 /// The middle of the ring, in r_s.
 const RADIUS: f64 = 5.0;
-const RAYS: usize = 2000;
+const RAYS: usize = 1000;
 
 /// A ring of this width, as a share of its radius, seen from near.
 fn scene(width: f64) -> Scene {
@@ -45,15 +45,15 @@ fn directions_to_ring() -> Vec<DVec3> {
     (0..RAYS).map(direction).collect()
 }
 
-fn verdict(width: f64) -> Verdict {
+fn verdict(width: f64, directions: &[DVec3]) -> Verdict {
     let scene = scene(width);
     let to_camera = scene.camera.tetrad_from_camera().transpose();
     let cell = Cell {
         group: "disk",
         name: format!("a ring of {width:e} of its radius"),
-        rays: directions_to_ring()
-            .into_iter()
-            .map(|direction| Ray::toward(to_camera * direction))
+        rays: directions
+            .iter()
+            .map(|direction| Ray::toward(to_camera * *direction))
             .collect(),
         scene,
     };
@@ -64,13 +64,14 @@ fn verdict(width: f64) -> Verdict {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn rays_at_a_ring_below_the_resolution_of_f32_are_counted_apart_and_at_a_wider_one_none_is() {
+    let directions = directions_to_ring();
     // Two units of f32's last place.
-    let narrow = verdict(2e-7);
+    let narrow = verdict(2e-7, &directions);
     println!("{narrow:?}");
-    assert!(narrow.misclassified > 100, "{narrow:?}");
+    assert!(narrow.misclassified > 50, "{narrow:?}");
     assert_eq!(narrow.unanswerable, narrow.misclassified, "{narrow:?}");
     assert!(narrow.holds && narrow.unexplained == 0, "{narrow:?}");
-    let wide = verdict(1e-4);
+    let wide = verdict(1e-4, &directions);
     println!("{wide:?}");
     assert_eq!((wide.misclassified, wide.unanswerable), (0, 0), "{wide:?}");
     assert!(wide.hits == RAYS && wide.holds, "{wide:?}");

@@ -1,8 +1,19 @@
 //! The adapter that the settings name is chosen in the panel, and locks nobody out.
 
-use crate::desktop::{Desktop, Setup};
+use crate::PLAIN;
+use crate::desktop::{Desktop, SMALL_SCREEN, Setup};
 use lightfall::app::Settings;
 use lightfall_core::gpu::{AdapterName, adapters};
+
+/// Opens a small window with these files beside the settings.
+fn open(files: &[(&str, String)]) -> Desktop {
+    let setup = Setup {
+        screen: SMALL_SCREEN,
+        files,
+        ..Setup::default()
+    };
+    Desktop::open_with(&setup, &["--preset", PLAIN])
+}
 
 fn settings(adapter: &AdapterName) -> String {
     format!(
@@ -18,7 +29,7 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
         name: "A card that was taken out".into(),
         backend: "vulkan".into(),
     };
-    let mut desktop = Desktop::open_with_settings(&settings(&gone), &["--preset", "2"]);
+    let mut desktop = open(&[("settings.toml", settings(&gone))]);
     let news = "The settings name A card that was taken out (vulkan), which was not found; the best adapter is used";
     // The message in the window goes by itself.
     desktop.wait_for("the news", |state| state.shows(news));
@@ -45,7 +56,7 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
 fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
     let name = adapters()[0].name.clone();
     let trial = |desktop: &Desktop| desktop.settings().with_file_name("adapter-on-trial");
-    let desktop = Desktop::open_with_settings(&settings(&name), &["--preset", "2"]);
+    let desktop = open(&[("settings.toml", settings(&name))]);
     desktop.first_picture();
     assert!(
         !desktop.stderr().contains("The settings name"),
@@ -60,15 +71,10 @@ fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
     drop(desktop);
 
     // As a driver leaves it that takes the program down with it.
-    let prepared = [
+    let desktop = open(&[
         ("settings.toml", settings(&name)),
         ("adapter-on-trial", String::new()),
-    ];
-    let setup = Setup {
-        files: &prepared,
-        ..Setup::default()
-    };
-    let desktop = Desktop::open_with(&setup, &["--preset", "2"]);
+    ]);
     desktop.first_picture();
     assert!(
         desktop

@@ -1,8 +1,8 @@
 //! Two settings side by side in the window.
 
-use crate::WINDOW;
 use crate::desktop::Desktop;
 use crate::shot::Shot;
+use crate::{PLAIN, WINDOW};
 
 /// The rows in which the picture is compared: below the labels and above the lines of text.
 const ROWS: std::ops::Range<usize> = 150..600;
@@ -20,17 +20,8 @@ fn right(a: &Shot, b: &Shot, divider: usize) -> f64 {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_divider_separates_the_pinned_settings_from_the_changed_ones_and_can_be_dragged() {
-    // Bloom would carry light over the divider, and an automatic exposure would follow the right
-    // side and change both.
-    let scene = [
-        "--preset",
-        "2",
-        "--set",
-        "picture.bloom=0",
-        "--set",
-        "picture.automatic_exposure=false",
-    ];
-    let desktop = Desktop::open(&scene);
+    // Bloom would carry light over the divider.
+    let desktop = Desktop::open(&["--preset", PLAIN, "--set", "picture.bloom=0"]);
     let bent = desktop.first_picture();
     desktop.press("l");
     let straight = desktop.settled("L", |shot| shot.changed(&bent, 0..WINDOW.0, ROWS) > 0.1);

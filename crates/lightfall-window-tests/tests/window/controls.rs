@@ -11,11 +11,6 @@ use lightfall_platform::storage::embedded_preset;
 /// Width of the panel on the right, with some room.
 const PANEL: usize = 420;
 
-/// The first key of a control, as X names it.
-fn x_name(id: &str) -> String {
-    x_keys(control_named(id).unwrap()).remove(0)
-}
-
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
@@ -23,28 +18,16 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
     let scene = ["--preset", "probe", "--set", "observer.velocity=0,0.1,0.3"];
     let desktop = Desktop::open_small(&scene);
     let start = desktop.first_picture();
-    // One of each kind: keys.rs presses all of them and reads the scene, and the tests of pictures
-    // hold the passes to every change of it.
-    for id in [
-        "scene.probe",
-        "scene.spin",
-        "light.doppler",
-        "view.classes",
-        "picture.bloom",
-        "picture.antialias",
-        "picture.levels",
-    ] {
-        let key = x_name(id);
+    // Some of them: keys.rs presses all keys and reads the scene, and the tests of pictures hold the
+    // passes to every change of it.
+    for id in ["scene.probe", "light.doppler", "picture.bloom"] {
+        // As X names it.
+        let key = x_keys(control_named(id).unwrap()).remove(0);
         desktop.press(&key);
         desktop.settled(id, |shot| changed(shot, &start) > 1e-4);
         desktop.press(&key);
         desktop.settled(&format!("{id} again"), |shot| changed(shot, &start) == 0.0);
     }
-    // Brighter, and undone.
-    desktop.press(&x_name("picture.brighter"));
-    desktop.settled("brighter", |shot| changed(shot, &start) > 0.01);
-    desktop.press(&x_name("scene.undo"));
-    desktop.settled("undone", |shot| changed(shot, &start) == 0.0);
     assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }
 
@@ -55,10 +38,6 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
     let start = desktop.first_picture();
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
     let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, TITLE..WINDOW.1 - STATUS_BAR);
-    desktop.press("F1");
-    desktop.settled("help", |shot| changed(shot, &start) > 0.1);
-    desktop.press("F1");
-    desktop.settled("no help", |shot| changed(shot, &start) == 0.0);
     desktop.press("p");
     let panel = desktop.settled("panel", |shot| right(shot, &start) > 0.5);
     assert_eq!(

@@ -110,9 +110,10 @@ impl Desktop {
         Self::open_with(&setup, arguments)
     }
 
-    /// As [`open`](Self::open), with variables of the environment.
+    /// As [`open_small`](Self::open_small), with variables of the environment.
     pub fn open_with_variables(variables: &[(&str, &str)], arguments: &[&str]) -> Self {
         let setup = Setup {
+            screen: SMALL_SCREEN,
             variables,
             ..Setup::default()
         };

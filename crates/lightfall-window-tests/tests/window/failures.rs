@@ -1,5 +1,6 @@
 //! A window that opens in spite of what is missing.
 
+use crate::PLAIN;
 use crate::desktop::Desktop;
 
 #[test]
@@ -9,7 +10,7 @@ fn a_wayland_server_that_does_not_answer_leaves_the_window_to_the_x_server() {
         ("WAYLAND_DISPLAY", "wayland-none"),
         ("XDG_RUNTIME_DIR", "/nonexistent"),
     ];
-    let mut desktop = Desktop::open_with_variables(&dead, &["--preset", "2"]);
+    let mut desktop = Desktop::open_with_variables(&dead, &["--preset", PLAIN]);
     desktop.first_picture();
     assert!(desktop.running(), "{}", desktop.stderr());
 }
@@ -25,7 +26,7 @@ fn a_window_without_any_folder_to_write_to_opens_and_closes_as_ever() {
         ("XDG_DATA_HOME", file),
         ("XDG_PICTURES_DIR", file),
     ];
-    let mut desktop = Desktop::open_with_variables(&variables, &["--preset", "2"]);
+    let mut desktop = Desktop::open_with_variables(&variables, &["--preset", PLAIN]);
     desktop.first_picture();
     // The pixel look is a setting, which cannot be saved. A message in the window says so.
     desktop.press("F7");
@@ -44,7 +45,7 @@ fn a_window_without_any_folder_to_write_to_opens_and_closes_as_ever() {
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn settings_of_a_newer_version_survive_a_flight_that_changes_settings() {
     let text = "version = 999\nwarp_drive = true\n";
-    let mut desktop = Desktop::open_with_settings(text, &["--preset", "2"]);
+    let mut desktop = Desktop::open_with_settings(text, &["--preset", PLAIN]);
     desktop.first_picture();
     let said = desktop.stderr();
     assert!(

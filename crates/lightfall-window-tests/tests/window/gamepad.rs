@@ -1,8 +1,7 @@
 //! A gamepad in the window, without hardware.
 
+use crate::PLAIN;
 use crate::desktop::Desktop;
-use crate::shot::Shot;
-use crate::{PLAIN, WINDOW};
 use watched::{Order, Pad, State};
 
 /// Time of a frame, in seconds.
@@ -22,7 +21,7 @@ fn used(desktop: &Desktop, part: Pad) -> [State; 2] {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
-    let desktop = Desktop::open(&["--preset", PLAIN]);
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
     desktop.first_picture();
     desktop.order(&Order::Step(STEP));
     desktop.order(&Order::Connect(true));
@@ -62,19 +61,14 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
         ["above", "close"]
     );
 
-    // One button opens the menu. There the button of the journey chooses the first entry, which
-    // closes the menu, and starts no journey.
-    let middle =
-        |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 / 3..2 * WINDOW.0 / 3, 200..WINDOW.1 - 200);
     // Its disk moves.
     desktop.press("slash");
-    let closed = desktop.settled("preset 4", |_| true);
+    // One button opens the menu. There the button of the journey chooses the first entry, which
+    // closes the menu, and starts no journey.
     let [before, after] = used(&desktop, Pad::Start);
     assert!(!before.menu && after.menu);
-    desktop.settled("menu", |shot| middle(shot, &closed) > 0.3);
     let [_, after] = used(&desktop, Pad::South);
     assert!(!after.menu && after.journey.is_none());
-    desktop.settled("no menu", |shot| middle(shot, &closed) == 0.0);
 
     desktop.order(&Order::Connect(false));
     desktop.later(3);

@@ -7,7 +7,7 @@ use watched::Order;
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_picture_follows_a_key_in_the_same_frame_or_the_next() {
-    let desktop = Desktop::open(&["--preset", PLAIN]);
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
     desktop.first_picture();
     desktop.order(&Order::KeepPicture);
     desktop.wait_for("the picture is kept", |state| state.kept.is_some());

@@ -6,7 +6,6 @@
 //! once as the view of ray classes, in which dark rays have a colour of their own. The texts come
 //! from egui's own output, and count only where the pixels show them.
 
-use crate::WINDOW;
 use crate::desktop::Desktop;
 use crate::messages::{contrast, luminance, pixels};
 use crate::shot::Shot;
@@ -87,9 +86,10 @@ struct Verdict {
 impl Verdict {
     fn of(light: &Shot, texts: &[Text], classes: &Shot) -> Self {
         let share = |is: fn([u8; 3]) -> bool| {
-            let pixels = (0..WINDOW.1).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+            let (width, height) = (classes.width, classes.height);
+            let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
             let found = pixels.filter(|&(x, y)| is(classes.pixel(x, y))).count();
-            found as f64 / (WINDOW.0 * WINDOW.1) as f64
+            found as f64 / (width * height) as f64
         };
         let find = |starts: &[&str]| {
             let legible = |text: &&Text| {
@@ -110,7 +110,7 @@ impl Verdict {
 
     /// Whether a player can tell where the hole is.
     fn is_found(&self) -> bool {
-        // A hole that covers a thousandth of the picture is 50 pixels across. One that leaves less
+        // A hole that covers a thousandth of the picture is 20 pixels across. One that leaves less
         // than three hundredths of it has no shape.
         let has_shape = self.dark < 0.97;
         self.sentence.is_some() || has_shape && (self.mark.is_some() || self.hole > 0.001)
@@ -120,10 +120,10 @@ impl Verdict {
 /// Whether the pixels of a text differ as much as 4.5:1.
 fn is_legible(light: &Shot, place: Place) -> bool {
     let [columns, rows] = pixels(place);
-    let rows = rows.start..rows.end.min(WINDOW.1);
+    let rows = rows.start..rows.end.min(light.height);
     let [mut least, mut most] = [f64::INFINITY, 0.0];
     for (x, y) in rows.flat_map(|y| columns.clone().map(move |x| (x, y))) {
-        if x < WINDOW.0 {
+        if x < light.width {
             let found = luminance(light.pixel(x, y));
             (least, most) = (found.min(least), found.max(most));
         }
@@ -134,7 +134,7 @@ fn is_legible(light: &Shot, place: Place) -> bool {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn after_each_leg_of_the_script_the_hole_an_arrow_or_a_sentence_is_visible() {
-    let desktop = Desktop::open(&["--preset", "2"]);
+    let desktop = Desktop::open_small(&["--preset", "2"]);
     desktop.first_picture();
     desktop.order(&Order::Step(STEP));
     let presets = std::env::var(PRESETS_VARIABLE).unwrap_or_else(|_| SOME_PRESETS.into());

@@ -28,7 +28,7 @@ fn white_scene() -> Scene {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn a_fall_ends_a_journey_and_a_journey_ends_a_fall() {
-    let desktop = Desktop::open(&["--preset", PLAIN]);
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
     desktop.first_picture();
     let flies = |state: &State| state.mentions("Journey, ") && !state.mentions("falling freely");
     let falls = |state: &State| state.mentions("falling freely") && !state.mentions("Journey, ");

@@ -2,12 +2,12 @@
 
 use crate::desktop::{Desktop, Setup};
 use crate::random::Random;
-use crate::{WINDOW, changed};
+use crate::{PLAIN, WINDOW, changed};
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_window_survives_any_size_and_being_minimised() {
-    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let mut desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     desktop.press("p");
     desktop.press("i");

@@ -33,7 +33,7 @@ impl DerefMut for Session {
 }
 
 impl Session {
-    /// Opens the window, with these variables of the environment.
+    /// Opens a small window, with these variables of the environment.
     pub fn open(variables: &[(&str, &str)]) -> Self {
         let desktop = Desktop::open_with_variables(variables, &["--preset", PLAIN]);
         desktop.first_picture();

@@ -43,7 +43,7 @@ fn both_searches_find_known_rotations_across_a_tiny_shadow() {
 #[test]
 fn the_thorough_search_explains_an_answer_without_sky_and_hits() {
     let scene = scene(0.7);
-    let rays = rays_near_edge(&scene, 400, EDGE_DISTANCES);
+    let rays = rays_near_edge(&scene, 200, EDGE_DISTANCES);
     let truth = Truth::of(&scene, rays).expect("a still observer");
     let is_wanted = |trace: &Trace| trace.outcome == Outcome::Captured && trace.hits[0].is_some();
     let hit: Vec<usize> = (0..truth.rays.len())
@@ -70,7 +70,7 @@ fn the_thorough_search_explains_an_answer_without_sky_and_hits() {
         let limit = 2.0 * usual;
         assert!(found <= limit, "ray {i}: {found:e}, usually {usual:e}");
     }
-    assert!(explained > 30, "{explained} rays");
+    assert!(explained > 10, "{explained} rays");
 }
 
 /// A ray next to the edge and another one that meets a ring, both seen by the camera of a scene.

@@ -60,7 +60,7 @@ pub fn face(session: &mut Session, key: &str) {
 
 /// Drags the picture to the right.
 fn drag(session: &Session) {
-    session.point(600, 400);
+    session.point(300, 200);
     session.later(3);
     session.xdotool(&["mousedown", "1"]);
     session.later(3);
@@ -133,6 +133,7 @@ pub fn screenshot(session: &mut Session, key: &str) {
     let before = pictures(session).len();
     session.press(key);
     session.wait(key, || pictures(session).len() == before + 1);
+    session.wait_for("the path", |state| state.mentions(".png"));
     // Another message takes the place of this one.
     session.press("g");
 }
