@@ -62,11 +62,8 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     let work = matrix_work(&cells, &methods);
     let mut progress = Progress::new("extremes", work, SAMPLE_SHARE * work);
     let measured = measure_matrix(&gpu, &cells, &methods, |verdict, work| {
-        progress.set_task(format!(
-            "{}: {}, {}",
-            verdict.group, verdict.cell, verdict.method
-        ));
-        progress.advance(work);
+        let task = format!("{}: {}, {}", verdict.group, verdict.cell, verdict.method);
+        progress.advance(task, work);
     });
     progress.finish();
     let verdicts = measured.map_err(Stop::failed)?;
@@ -102,8 +99,8 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     let work = delays_work(cells, methods);
     let mut progress = Progress::new("extremes --delay", work, SAMPLE_SHARE * work);
     let measured = measure_delays(gpu, cells, methods, |row, work| {
-        progress.set_task(format!("{}: {}, {}", row.group, row.cell, row.method));
-        progress.advance(work);
+        let task = format!("{}: {}, {}", row.group, row.cell, row.method);
+        progress.advance(task, work);
     });
     progress.finish();
     let rows = measured.map_err(Stop::failed)?;
@@ -139,10 +136,8 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let mut worst = 0.0;
     let rays = hunt.run(gpu, |ray| {
         worst = f64::max(worst, ray.excess);
-        progress.set_task(format!(
-            "the worst ray so far is at {worst:.2} of its tolerance"
-        ));
-        progress.advance(1.0);
+        let task = format!("the worst ray so far is at {worst:.2} of its tolerance");
+        progress.advance(task, 1.0);
     });
     progress.finish();
     let rays = rays.map_err(Stop::failed)?;

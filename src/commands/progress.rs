@@ -73,8 +73,9 @@ impl Progress {
         }
     }
 
-    /// Counts work that has been done, and shows it.
-    pub(super) fn advance(&mut self, work: f64) {
+    /// Counts work that has been done, says what it was, and shows it.
+    pub(super) fn advance(&mut self, task: String, work: f64) {
+        self.set_task(task);
         self.done += work;
         let elapsed = self.began.elapsed();
         let share = (self.done / self.total).clamp(0.0, 1.0);

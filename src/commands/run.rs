@@ -70,33 +70,32 @@ fn execute(command: Command, addition: impl FnOnce(&mut App)) -> Result<(), Stop
 
 /// Switches off Mesa's device selection layer where there is no desktop session: without Wayland it
 /// prints a harmless error.
-#[expect(
-    unsafe_code,
-    reason = "the environment is the only way to reach the driver, and changing it is unsafe"
-)]
 fn silence_driver() {
     if cfg!(target_os = "linux") && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
-        // SAFETY: nothing has been started yet, so this is the only thread.
-        unsafe { std::env::set_var("NODEVICE_SELECT", "1") };
+        set_variable("NODEVICE_SELECT", "1");
     }
 }
 
 /// Copies the adapter options of the command line to the environment, where Bevy and wgpu look for
 /// them.
-#[expect(
-    unsafe_code,
-    reason = "the environment is where Bevy takes the adapter from, and changing it is unsafe"
-)]
 fn choose_adapter(gpu: &GpuArgs) {
     for (name, value) in [
         ("WGPU_ADAPTER_NAME", &gpu.gpu),
         ("WGPU_BACKEND", &gpu.backend),
     ] {
         if let Some(value) = value {
-            // SAFETY: nothing has been started yet, so this is the only thread.
-            unsafe { std::env::set_var(name, value) };
+            set_variable(name, value);
         }
     }
+}
+
+#[expect(
+    unsafe_code,
+    reason = "the environment is the only way to reach the driver and Bevy's choice of the adapter, and changing it is unsafe"
+)]
+fn set_variable(name: &str, value: &str) {
+    // SAFETY: nothing has been started yet, so this is the only thread.
+    unsafe { std::env::set_var(name, value) };
 }
 
 /// Forgets a Wayland server that does not answer where an X server does: the window system asks

@@ -80,11 +80,6 @@ fn locked(name: &Mutex<Option<AdapterName>>) -> MutexGuard<'_, Option<AdapterNam
     name.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The adapter that replaces the chosen one, if that gave no device.
-fn replacement() -> Option<AdapterName> {
-    locked(&REPLACEMENT).clone()
-}
-
 /// Sets the adapter that replaces the chosen one; `None` tries the chosen one again.
 pub(super) fn replace_chosen(name: Option<AdapterName>) {
     *locked(&REPLACEMENT) = name;
@@ -177,7 +172,7 @@ pub(super) async fn every_adapter() -> Vec<Adapter> {
 pub fn chosen() -> (Backends, Option<String>) {
     let preferred =
         preferred().filter(|preferred| adapters().iter().any(|listed| listed.name == *preferred));
-    match replacement().or(preferred) {
+    match locked(&REPLACEMENT).clone().or(preferred) {
         Some(AdapterName { name, backend }) => (Backends::from_comma_list(&backend), Some(name)),
         None => (backends(), None),
     }
@@ -199,10 +194,9 @@ fn instance(backends: Backends) -> Instance {
 /// The adapter that Bevy would choose: the first whose name contains `WGPU_ADAPTER_NAME`, else the
 /// preferred one, else a software adapter if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, else the fastest.
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
-    let instance = instance(backends());
     if let Some(given) = variable("WGPU_ADAPTER_NAME") {
         let wanted = given.to_lowercase();
-        let adapters = instance.enumerate_adapters(backends()).await;
+        let adapters = every_adapter().await;
         let name = |adapter: &Adapter| adapter.get_info().name;
         let names: Vec<String> = adapters.iter().map(name).collect();
         let mut adapters = adapters.into_iter();
@@ -213,8 +207,9 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
                 .unwrap_or(GpuError::UnknownAdapter { given, names })),
         };
     }
-    if let Some(wanted) = replacement().or_else(preferred) {
-        let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
+    let wanted = locked(&REPLACEMENT).clone().or_else(preferred);
+    if let Some(wanted) = wanted {
+        let mut adapters = every_adapter().await.into_iter();
         if let Some(adapter) =
             adapters.find(|adapter| AdapterName::of(&adapter.get_info()) == wanted)
         {
@@ -228,7 +223,7 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
             .is_some_and(|flag| flag == "1"),
         compatible_surface: None,
     };
-    instance
+    instance(backends())
         .request_adapter(&options)
         .await
         .map_err(|_| no_adapter())

@@ -155,9 +155,16 @@ fn star_kernels(scene: &Scene, chain: Chain) -> impl Iterator<Item = &'static st
 fn star_files(scene: &Scene, chain: Chain) -> Vec<String> {
     let picture = Variant::picture(scene).files();
     let kernels = StarKernel::of(scene).filter(|_| chain.stars);
-    let files: BTreeSet<_> = kernels.flat_map(|kernel| kernel.files(scene)).collect();
-    let own = files.into_iter();
-    own.filter(|file| !picture.contains(&&**file)).collect()
+    let mut own = BTreeSet::new();
+    for text in kernels.map(|kernel| kernel.text(scene)) {
+        let files = text.files().map(|(file, _)| file);
+        own.extend(
+            files
+                .filter(|file| !picture.contains(file))
+                .map(str::to_owned),
+        );
+    }
+    own.into_iter().collect()
 }
 
 /// How edges are drawn.

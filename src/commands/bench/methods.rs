@@ -76,13 +76,9 @@ fn measure(
             timed += 1;
             format!("times of {timed}")
         };
-        progress.set_task(format!(
-            "{what} of {} measured; {}, {}",
-            plan.len(),
-            step.scene,
-            step.setting
-        ));
-        progress.advance(step.work);
+        let (all, scene, setting) = (plan.len(), &step.scene, &step.setting);
+        let task = format!("{what} of {all} measured; {scene}, {setting}");
+        progress.advance(task, step.work);
     });
     progress.finish();
     measured.map_err(Stop::failed)
@@ -99,7 +95,8 @@ fn time_frames(
     let mut progress = Progress::new("bench --frames", left.len() as f64, 1.0);
     for i in left {
         let row = &mut rows[i];
-        progress.set_task(format!("frames of {}, {}", row.scene, row.label()));
+        let task = format!("frames of {}, {}", row.scene, row.label());
+        progress.set_task(task.clone());
         let bench_scene = plan.scenes.iter().find(|scene| scene.name == row.scene);
         let Some((bench_scene, method)) = bench_scene.zip(Method::from_word(&row.method)) else {
             continue;
@@ -111,7 +108,7 @@ fn time_frames(
         let passes = passes.map_err(Stop::failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
         kept.replace(rows);
-        progress.advance(1.0);
+        progress.advance(task, 1.0);
     }
     progress.finish();
     Ok(())

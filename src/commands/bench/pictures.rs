@@ -37,8 +37,8 @@ pub(super) fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result
             let rows = measure_pictures(scene, plan.size, |setting| {
                 let PictureSetting { antialias, samples } = setting;
                 let refined = if antialias { ", edges refined" } else { "" };
-                progress.set_task(format!("{}, {samples} frames{refined}", scene.name));
-                progress.advance(f64::from(samples));
+                let task = format!("{}, {samples} frames{refined}", scene.name);
+                progress.advance(task, f64::from(samples));
             })?;
             rows.into_iter().for_each(|row| kept.add(row));
         }

@@ -70,8 +70,7 @@ fn bench_rows<T: Clone + Serialize + DeserializeOwned>(
     let mut progress = Progress::new("bench", left, SAMPLE_SHARE * left);
     let measured = measure(&known, &mut |row| {
         kept.add(row.clone());
-        progress.set_task(task(row));
-        progress.advance(1.0);
+        progress.advance(task(row), 1.0);
     });
     progress.finish();
     let rows = measured.map_err(Stop::failed)?;

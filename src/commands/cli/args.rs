@@ -75,11 +75,13 @@ pub struct FlyArgs {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The file of the journey to fly at once.
-    #[arg(skip)]
+    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml of
+    /// the source code is an example, and the journey that J flies by default
+    #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub journey: Option<PathBuf>,
-    /// The folder of shaders to watch.
-    #[arg(skip)]
+    /// Draw with the WGSL files of a folder, such as shaders of the source code, and read them again whenever one of
+    /// them changes, for work on the shaders
+    #[arg(long, value_name = "FOLDER")]
     pub shaders: Option<PathBuf>,
 }
 

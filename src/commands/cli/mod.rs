@@ -14,7 +14,6 @@ use crate::app::NO_GAMEPAD;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
-use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -46,17 +45,9 @@ fn after_help() -> String {
 #[command(name = "lightfall", version, about, after_help = after_help())]
 struct Cli {
     #[command(flatten)]
-    scene: SceneArgs,
+    fly: FlyArgs,
     #[command(flatten)]
     gpu: GpuArgs,
-    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml of
-    /// the source code is an example, and the journey that J flies by default
-    #[arg(long, value_name = "FILE", help_heading = "Scene")]
-    journey: Option<PathBuf>,
-    /// Draw with the WGSL files of a folder, such as shaders of the source code, and read them again whenever one of
-    /// them changes, for work on the shaders
-    #[arg(long, value_name = "FOLDER")]
-    shaders: Option<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -114,40 +105,22 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
 pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
     args: I,
 ) -> Result<(GpuArgs, Command), clap::Error> {
-    let Cli {
-        scene,
-        gpu,
-        journey,
-        shaders,
-        command,
-    } = Cli::try_parse_from(args)?;
-    let command = if gpu.list_gpus {
-        Command::ListGpus
-    } else {
-        with_options(scene, journey, shaders, command)?
+    let Cli { fly, gpu, command } = Cli::try_parse_from(args)?;
+    let command = match command {
+        _ if gpu.list_gpus => Command::ListGpus,
+        Some(command) => with_options(fly, command)?,
+        None => Command::Fly(fly),
     };
     Ok((gpu, command))
 }
 
 /// The command with the options that precede it.
-fn with_options(
-    before: SceneArgs,
-    journey: Option<PathBuf>,
-    shaders: Option<PathBuf>,
-    command: Option<Command>,
-) -> Result<Command, clap::Error> {
-    let Some(mut command) = command else {
-        return Ok(Command::Fly(FlyArgs {
-            scene: before,
-            journey,
-            shaders,
-        }));
-    };
+fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::Error> {
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
-    if shaders.is_some() {
+    if before.shaders.is_some() {
         return Err(conflict("--shaders is for flying, without a command"));
     }
-    let mut journey = journey;
+    let (scene, mut journey) = (before.scene, before.journey);
     if let Command::Render(render) = &mut command {
         if journey.is_some() && render.journey.is_some() {
             return Err(conflict(
@@ -165,14 +138,13 @@ fn with_options(
         ));
     }
     match &mut command {
-        Command::Fly(fly) => fly.scene = before,
+        Command::Fly(_) | Command::ListGpus => {}
         Command::Render(RenderArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. })
         | Command::Doctor(DoctorArgs { scene: after, .. }) => {
             let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
-            *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
+            *after = scene.followed_by(after).ok_or_else(|| conflict(message))?;
         }
-        Command::ListGpus => {}
         Command::Extremes(ExtremesArgs {
             hunt: None,
             seed: Some(_),
@@ -182,8 +154,7 @@ fn with_options(
                 "--seed belongs to --hunt: every other run of `extremes` measures the same scenes",
             ));
         }
-        Command::Presets(_) if before == SceneArgs::default() => {}
-        Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
+        _ if scene == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => {

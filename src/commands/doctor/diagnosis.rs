@@ -48,10 +48,9 @@ pub struct Diagnosis {
 /// A graphics adapter.
 #[derive(Clone, Debug, Serialize)]
 pub struct Adapter {
-    /// The name that its driver gives.
-    pub name: String,
-    /// Its graphics interface.
-    pub backend: String,
+    /// Its name and its graphics interface.
+    #[serde(flatten)]
+    pub name: AdapterName,
     /// Software, integrated and so on.
     pub kind: &'static str,
     /// Its driver, with the version.
@@ -161,9 +160,8 @@ impl Diagnosis {
             .filter(|adapter| !adapter.missing.is_empty());
         self.remarks.extend(unusable.map(|adapter| {
             format!(
-                "{} ({}) cannot be used: {}; {}",
+                "{} cannot be used: {}; {}",
                 adapter.name,
-                adapter.backend,
                 adapter.missing.join(", "),
                 driver_advice::with_old_driver(std::env::consts::OS)
             )
@@ -182,11 +180,7 @@ impl Diagnosis {
                 .push("pictures are drawn in software; a graphics card with a Vulkan driver is far faster".into());
         }
         let wanted = self.settings.adapter.as_ref();
-        let is_present = |wanted: &AdapterName| {
-            self.adapters
-                .iter()
-                .any(|it| (&it.name, &it.backend) == (&wanted.name, &wanted.backend))
-        };
+        let is_present = |wanted: &AdapterName| self.adapters.iter().any(|it| it.name == *wanted);
         if let Some(missing) = wanted.filter(|wanted| !is_present(wanted)) {
             self.remarks.push(format!(
                 "the settings choose {missing} for the window, which does not exist here; the best adapter is used instead"
@@ -211,25 +205,15 @@ impl Diagnosis {
 
 impl Adapter {
     fn new(listed: Listed, used: Option<&AdapterName>) -> Self {
-        let used = used == Some(&listed.name);
-        let Listed {
-            name: AdapterName { name, backend },
-            kind,
-            driver,
-            timestamps,
-            limits,
-            missing,
-        } = listed;
         Self {
-            name,
-            backend,
-            kind,
-            driver,
-            used,
-            timestamps,
-            longest_texture_side: limits.max_texture_dimension_2d,
-            largest_storage_buffer: limits.max_storage_buffer_binding_size,
-            missing,
+            used: used == Some(&listed.name),
+            name: listed.name,
+            kind: listed.kind,
+            driver: listed.driver,
+            timestamps: listed.timestamps,
+            longest_texture_side: listed.limits.max_texture_dimension_2d,
+            largest_storage_buffer: listed.limits.max_storage_buffer_binding_size,
+            missing: listed.missing,
         }
     }
 }

@@ -130,17 +130,14 @@ impl SelfTest {
 
     /// What is wrong, if the test fails.
     pub(super) fn fault(&self) -> Option<String> {
-        let Self {
-            scene,
-            method,
-            rays,
-            unanswered,
-            ..
-        } = self;
         (!self.holds).then(|| {
             format!(
-                "self-test {scene}: of {rays} rays traced by {method}, {unanswered} have no answer; 99 of 100 are within {} rad \
+                "self-test {}: of {} rays traced by {}, {} have no answer; 99 of 100 are within {} rad \
                  (stated: {}), all are within {} rad (stated: {})",
+                self.scene,
+                self.rays,
+                self.method,
+                self.unanswered,
                 short_number(self.backward_p99),
                 short_number(self.stated_p99),
                 short_number(self.backward_max),

@@ -91,7 +91,7 @@ impl Display for Adapter {
         write!(
             f,
             "{} ({}, {}, {}){used}",
-            self.name, self.kind, self.backend, self.driver
+            self.name.name, self.kind, self.name.backend, self.driver
         )
     }
 }

@@ -26,24 +26,21 @@ pub(super) fn check_memory(
         .map_or(0, |it| it.list().len());
     let pixels = u64::from(size.x) * u64::from(size.y);
     let needed = PROGRAM_BYTES + pixels * (PIXEL_BYTES + VALUE_BYTES * values as u64);
+    let (channels, or_fewer) = match values {
+        0 => (String::new(), ""),
+        _ => (
+            format!(" with {values} channels"),
+            " or fewer channels with --aov",
+        ),
+    };
     match free_memory() {
         Some(free) if free < needed => Err(Stop::failed(format!(
-            "a picture of {} x {} pixels{} needs about {} of memory, and {} are free; give a smaller \
-             --size{}",
+            "a picture of {} x {} pixels{channels} needs about {} of memory, and {} are free; give a smaller \
+             --size{or_fewer}",
             size.x,
             size.y,
-            if values > 0 {
-                format!(" with {values} channels")
-            } else {
-                String::new()
-            },
             gigabytes(needed),
             gigabytes(free),
-            if values > 0 {
-                " or fewer channels with --aov"
-            } else {
-                ""
-            },
         ))),
         _ => Ok(()),
     }

@@ -72,12 +72,6 @@ impl StarKernel {
         self.text(scene).source()
     }
 
-    /// The files below shaders/ whose text is in its own.
-    pub fn files(self, scene: &Scene) -> Vec<String> {
-        let text = self.text(scene);
-        text.files().map(|(file, _)| file.to_owned()).collect()
-    }
-
     /// Its WGSL text, by its parts.
     pub fn text(self, scene: &Scene) -> ShaderText {
         let projection = scene.camera.projection();

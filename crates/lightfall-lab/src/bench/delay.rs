@@ -15,6 +15,7 @@ use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::cell::LazyCell;
 
 /// Numbers of nodes that are measured, 0 for tracing without delays: per leg of a ray of the method
 /// closed, per step of the method mino.
@@ -117,33 +118,25 @@ impl Plan {
         let mut rows = Vec::new();
         for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
             let scene = &bench_scene.scene;
-            let settings = self.delay_settings(scene);
-            let row_of = |(scene, nodes): &(Scene, u32)| {
-                let wanted = (bench_scene.name.as_str(), scene.method.word(), *nodes);
+            let rays = rays_over_picture(scene, self.rays);
+            let given: Vec<Vec3> = rays.iter().map(Ray::given).collect();
+            let (reference, axes) = (Reference::new(scene)?, scene.camera.tetrad_from_camera());
+            // Only the first row that is not known computes it.
+            let truth: LazyCell<Vec<Trace>, _> = LazyCell::new(|| {
+                let traces = rays.par_iter();
+                let traces = traces.map(|ray| reference.trace_with_delays(axes * ray.direction()));
+                traces.collect()
+            });
+            for (scene, nodes) in self.delay_settings(scene) {
+                let wanted = (bench_scene.name.as_str(), scene.method.word(), nodes);
                 let is_it = |row: &&DelayMeasurement| {
                     (row.scene.as_str(), row.method.as_str(), row.nodes) == wanted
                 };
-                known.iter().find(is_it).cloned()
-            };
-            let known_rows: Option<Vec<_>> = settings.iter().map(row_of).collect();
-            if let Some(known_rows) = known_rows {
-                rows.extend(known_rows);
-                continue;
-            }
-            let rays = rays_over_picture(scene, self.rays);
-            let (reference, axes) = (Reference::new(scene)?, scene.camera.tetrad_from_camera());
-            let truth: Vec<Trace> = rays
-                .par_iter()
-                .map(|ray| reference.trace_with_delays(axes * ray.direction()))
-                .collect();
-            let given: Vec<Vec3> = rays.iter().map(Ray::given).collect();
-            for setting in settings {
-                if let Some(row) = row_of(&setting) {
-                    rows.push(row);
+                if let Some(row) = known.iter().find(is_it) {
+                    rows.push(row.clone());
                     continue;
                 }
-                let (scene, nodes) = &setting;
-                let row = self.delays(gpu, bench_scene, (scene, *nodes), &given, &truth)?;
+                let row = self.delays(gpu, bench_scene, (&scene, nodes), &given, &truth)?;
                 done(&row);
                 rows.push(row);
             }

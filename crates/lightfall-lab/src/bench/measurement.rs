@@ -1,6 +1,6 @@
 //! One row of the report: a method at one setting in one scene.
 
-use super::settings::{Setting, setting_label};
+use super::settings::{Setting, label, setting_label};
 use crate::import::{or_infinite, or_nan};
 use lightfall_accuracy::{ErrorSummary, Truth, tolerance};
 use lightfall_gpu::timing::Timing;
@@ -147,9 +147,7 @@ impl Measurement {
 
     /// The method with its setting, as in tables.
     pub fn label(&self) -> String {
-        format!("{} {}", self.method, self.setting_label())
-            .trim_end()
-            .to_owned()
+        label(&self.method, &self.setting_label())
     }
 
     /// The setting alone, as in plots.

@@ -49,24 +49,21 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
 
 /// The ends of the axes: left, right, bottom, top. `None` if no mark can be drawn.
 fn ends(marks: &[Measurement]) -> Option<[f64; 4]> {
-    let ends = |values: Vec<f64>| {
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = values.iter().copied().fold(0.0, f64::max);
-        (low, high)
-    };
-    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.trace_ms).collect());
+    let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+    let times: Vec<f64> = marks.iter().map(|mark| mark.trace_ms).collect();
     let errors = marks.iter().map(|mark| mark.backward_p99_px);
-    let (least, most) = ends(
-        errors
-            .filter(|error| error.is_finite() && *error > 0.0)
-            .collect(),
-    );
-    (cheapest > 0.0 && least > 0.0 && least.is_finite()).then_some([
-        cheapest / 1.6,
-        dearest * 9.0,
-        least / 2.5,
-        most * 12.0,
-    ])
+    let errors: Vec<f64> = errors
+        .filter(|error| error.is_finite() && *error > 0.0)
+        .collect();
+    (least(&times) > 0.0 && !errors.is_empty()).then(|| {
+        [
+            least(&times) / 1.6,
+            most(&times) * 9.0,
+            least(&errors) / 2.5,
+            most(&errors) * 12.0,
+        ]
+    })
 }
 
 type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
@@ -137,13 +134,9 @@ fn draw<'a>(
         for mark in points {
             let place = place(mark);
             if mark.backward_p99_px.is_finite() {
-                chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
+                chart.draw_series([Circle::new(place, 5, colour.filled())])?;
             } else {
-                chart.draw_series(std::iter::once(Cross::new(
-                    place,
-                    6,
-                    colour.stroke_width(2),
-                )))?;
+                chart.draw_series([Cross::new(place, 6, colour.stroke_width(2))])?;
             }
         }
     }

@@ -163,32 +163,32 @@ impl Plan {
     ) -> Result<Vec<RefinementMeasurement>, GpuError> {
         let mut rows = Vec::new();
         for BenchScene { name, scene } in &self.scenes {
-            let all = self.refinements(scene);
-            let row_of = |refinement: &Refinement| {
-                let row = known.iter().find(|row| row.is_of(name, refinement));
-                row.cloned()
-            };
-            let known_rows: Option<Vec<_>> = all.iter().flatten().map(row_of).collect();
-            if let Some(known_rows) = known_rows {
-                rows.extend(known_rows);
-                continue;
-            }
-            let truth = Truth::of(scene, rays_over_picture_and_near_edge(scene, self.rays))?;
-            let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
-            for of_method in &all {
-                let Some(first) = of_method.first() else {
-                    continue;
-                };
-                // All settings of a method share one shader.
-                let kernel = RayKernel::new(gpu, &first.scene)?;
+            // Computed for the first row that is not known.
+            let mut truth = None;
+            for of_method in self.refinements(scene) {
+                let mut kernel = None;
                 for refinement in of_method {
-                    if let Some(row) = row_of(refinement) {
-                        rows.push(row);
+                    let is_it = |row: &&RefinementMeasurement| row.is_of(name, &refinement);
+                    if let Some(row) = known.iter().find(is_it) {
+                        rows.push(row.clone());
                         continue;
                     }
+                    let truth = match &mut truth {
+                        Some(truth) => truth,
+                        none => {
+                            let rays = rays_over_picture_and_near_edge(scene, self.rays);
+                            none.insert(Truth::of(scene, rays)?)
+                        }
+                    };
+                    // All settings of a method share one shader.
+                    let kernel = match &mut kernel {
+                        Some(kernel) => kernel,
+                        none => none.insert(RayKernel::new(gpu, &refinement.scene)?),
+                    };
+                    let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
                     let traces = kernel.trace_camera_rays(gpu, &refinement.scene, &given)?;
-                    let errors = ErrorSummary::of(&truth, &traces);
-                    let row = RefinementMeasurement::new(name, refinement, &errors);
+                    let errors = ErrorSummary::of(truth, &traces);
+                    let row = RefinementMeasurement::new(name, &refinement, &errors);
                     done(&row);
                     rows.push(row);
                 }

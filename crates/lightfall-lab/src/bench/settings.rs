@@ -37,10 +37,13 @@ impl Setting {
     pub fn label(&self) -> String {
         let quality = self.quality.map(ArticleQuality::word);
         let setting = setting_label(quality, self.key.map(|_| self.value));
-        format!("{} {setting}", self.scene.method.word())
-            .trim_end()
-            .to_owned()
+        label(self.scene.method.word(), &setting)
     }
+}
+
+/// A method with its setting, as in tables.
+pub(super) fn label(method: &str, setting: &str) -> String {
+    format!("{method} {setting}").trim_end().to_owned()
 }
 
 /// The setting of a method: the article's word for it, else its value; empty if there is none.

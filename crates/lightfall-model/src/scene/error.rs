@@ -57,46 +57,55 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// Why a preset and its overrides do not make a scene. `origin` is where the fault was written: a
-/// file, a preset or an option of the command line.
+/// Why a preset and its overrides do not make a scene.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{origin}: {fault}")]
+pub struct SceneError {
+    /// Where the fault was written: a file, a preset or an option of the command line.
+    pub origin: String,
+    /// What is wrong.
+    pub fault: SceneFault,
+}
+
+impl SceneError {
+    pub(super) fn new(origin: &str, fault: SceneFault) -> Self {
+        Self {
+            origin: origin.into(),
+            fault,
+        }
+    }
+}
+
+/// What is wrong with a preset or an override.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[expect(missing_docs, reason = "the messages say what the fields are")]
-pub enum SceneError {
+pub enum SceneFault {
     /// The text is not TOML.
-    #[error("{origin}: line {line}, column {column}: {message}; the text is read as TOML")]
+    #[error("line {line}, column {column}: {message}; the text is read as TOML")]
     Syntax {
-        origin: String,
         line: usize,
         column: usize,
         message: String,
     },
     /// The preset was written for another version of the format.
     #[error(
-        "{origin}: schema = {given} is another version of the preset format; this program reads schema 1"
+        "schema = {given} is another version of the preset format; this program reads schema 1"
     )]
-    Schema { origin: String, given: String },
+    Schema { given: String },
     /// No field has this name.
-    #[error("{origin}: there is no field {key}; {hint}")]
-    UnknownKey {
-        origin: String,
-        key: String,
-        hint: String,
-    },
+    #[error("there is no field {key}; {hint}")]
+    UnknownKey { key: String, hint: String },
     /// A value was given to a table of fields.
-    #[error("{origin}: {key} = {given} is refused: {key} is a table of fields, such as {example}")]
+    #[error("{key} = {given} is refused: {key} is a table of fields, such as {example}")]
     NotAField {
-        origin: String,
         key: String,
         given: String,
         example: &'static str,
     },
     /// An assignment without an equals sign.
-    #[error("--set: {given} is not of the form KEY=VALUE, such as camera.r=20")]
+    #[error("{given} is not of the form KEY=VALUE, such as camera.r=20")]
     NotAnAssignment { given: String },
     /// A value of the wrong type or out of range.
-    #[error("{origin}: {refusal}")]
-    Refused {
-        origin: String,
-        refusal: Box<Refusal>,
-    },
+    #[error(transparent)]
+    Refused(#[from] Box<Refusal>),
 }

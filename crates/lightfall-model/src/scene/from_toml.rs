@@ -1,7 +1,7 @@
 //! From TOML's values and faults to the scene's.
 
 use super::SCHEMA;
-use super::error::{Refusal, SceneError};
+use super::error::{Refusal, SceneFault};
 use super::field::Field;
 use super::range::{Kind, number};
 use super::value::{Value, quoted};
@@ -79,27 +79,24 @@ pub(super) fn given(value: &toml::Value) -> String {
 ///
 /// # Errors
 /// The text is not TOML, or of another version of the format.
-pub(super) fn table(origin: &str, text: &str) -> Result<Table, SceneError> {
-    let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
+pub(super) fn table(text: &str) -> Result<Table, SceneFault> {
+    let table: Table = toml::from_str(text).map_err(|error| syntax(text, &error))?;
     // The version comes first: other fields may be correct in another version of the format.
     match table.get("schema") {
         Some(schema @ toml::Value::Integer(number)) if *number != i64::from(SCHEMA) => {
-            Err(SceneError::Schema {
-                origin: origin.into(),
-                given: given(schema),
-            })
+            let given = given(schema);
+            Err(SceneFault::Schema { given })
         }
         _ => Ok(table),
     }
 }
 
 /// A fault of TOML with the line and column where it was noticed.
-fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
+fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
     let at = error.span().map_or(0, |span| span.start.min(text.len()));
     let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    SceneError::Syntax {
-        origin: origin.into(),
+    SceneFault::Syntax {
         line: 1 + before.matches('\n').count(),
         column: 1 + before[line_start..].chars().count(),
         message: one_line(error.message()),

@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::error::{Refusal, SceneError};
+use super::error::{Refusal, SceneError, SceneFault};
 use super::fields::{FIELDS, field};
 use super::from_toml::{given, table};
 use super::hint::{hint, is_table};
 use super::range::Kind;
 use super::value::{Value, shortened};
 use super::{MAX_PICTURE_SIDE, Scene, resized};
-use glam::UVec2;
 
 /// One field that the command line sets in place of the preset.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,9 +31,13 @@ impl Override {
             Some((key, value)) if !key.trim().is_empty() => {
                 Ok(Self::new("--set", key.trim(), value.trim()))
             }
-            _ => Err(SceneError::NotAnAssignment {
-                given: shortened(text),
-            }),
+            _ => {
+                let given = shortened(text);
+                Err(SceneError::new(
+                    "--set",
+                    SceneFault::NotAnAssignment { given },
+                ))
+            }
         }
     }
 
@@ -64,7 +67,7 @@ struct Given<'a> {
 /// # Errors
 /// One sentence that names where the fault is written, the key, the value and what is allowed.
 pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
-    let table = table(origin, text)?;
+    let table = table(text).map_err(|fault| SceneError::new(origin, fault))?;
     let mut fields = BTreeMap::new();
     // The first error is reported once all other fields are known: its range depends on them.
     let mut errors = Vec::new();
@@ -94,19 +97,14 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
     if order("picture.exposure_ev") > 0 && order("picture.automatic_exposure") == 0 {
         scene.picture.automatic_exposure = false;
     }
-    let [size, grid] = [["width", "height"], ["grid_width", "grid_height"]].map(|sides| {
-        sides
-            .iter()
-            .any(|side| order(&format!("picture.{side}")) > 0)
-    });
-    let UVec2 { x, y } = scene.picture.size();
-    if size
-        && !grid
-        && [x, y]
-            .iter()
-            .all(|side| (1..=MAX_PICTURE_SIDE).contains(side))
+    let any_given = |sides: [&str; 2]| sides.iter().any(|side| order(side) > 0);
+    let size = scene.picture.size();
+    if any_given(["picture.width", "picture.height"])
+        && !any_given(["picture.grid_width", "picture.grid_height"])
+        && size.min_element() >= 1
+        && size.max_element() <= MAX_PICTURE_SIDE
     {
-        scene.picture = resized(&scene.picture, UVec2 { x, y });
+        scene.picture = resized(&scene.picture, size);
     }
     scene
         .check()
@@ -116,7 +114,7 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
 
 /// A refusal of a value that is no number names the same range as that of a number out of range.
 fn with_range_of(mut error: SceneError, scene: &Scene) -> SceneError {
-    if let SceneError::Refused { refusal, .. } = &mut error
+    if let SceneFault::Refused(refusal) = &mut error.fault
         && let Some(field) = field(refusal.key)
     {
         let (range, because) = scene.range(field);
@@ -137,12 +135,11 @@ fn insert<'a>(
     let key = path.join(".");
     let found = field(&key).filter(|field| field.key.split('.').eq(path.iter().copied()));
     let Some(field) = found else {
-        return Err(no_field(origin.into(), key, &value));
+        return Err(SceneError::new(origin, no_field(key, &value)));
     };
-    let value = field.read(&value).map_err(|refusal| SceneError::Refused {
-        origin: origin.into(),
-        refusal: Box::new(refusal),
-    })?;
+    let value = field
+        .read(&value)
+        .map_err(|refusal| SceneError::new(origin, Box::new(refusal).into()))?;
     fields.insert(
         field.key,
         Given {
@@ -155,17 +152,15 @@ fn insert<'a>(
 }
 
 /// Why a key is not the key of a field.
-fn no_field(origin: String, key: String, value: &toml::Value) -> SceneError {
+fn no_field(key: String, value: &toml::Value) -> SceneFault {
     let mut fields = FIELDS.iter().filter(|_| is_table(&key));
     match fields.find(|field| field.key.starts_with(&format!("{key}."))) {
-        Some(example) => SceneError::NotAField {
-            origin,
+        Some(example) => SceneFault::NotAField {
             key,
             given: given(value),
             example: example.key,
         },
-        None => SceneError::UnknownKey {
-            origin,
+        None => SceneFault::UnknownKey {
             hint: hint(&key),
             key: shortened(&key),
         },
@@ -199,10 +194,8 @@ fn refused(
     let to_blame = last.filter(|(_, given)| own.is_none_or(|own| given.order > own.order));
     let written = to_blame.map(|(_, given)| given).or(own);
     refusal.blamed = to_blame.map(|(key, Given { value, .. })| Box::new((key, value.quoted())));
-    SceneError::Refused {
-        origin: written.map_or(preset, |given| given.origin).into(),
-        refusal: Box::new(refusal),
-    }
+    let origin = written.map_or(preset, |given| given.origin);
+    SceneError::new(origin, Box::new(refusal).into())
 }
 
 /// A value from the command line: TOML if it can be read as such, otherwise the words themselves.

@@ -42,7 +42,7 @@ mod view;
 
 pub use crate::geometry::observer::ObserverKind;
 pub use changes::Changes;
-pub use error::{Because, Refusal, SceneError};
+pub use error::{Because, Refusal, SceneError, SceneFault};
 pub use field::Field;
 pub use fields::{FIELDS, field};
 pub use fit::{fit, resized};

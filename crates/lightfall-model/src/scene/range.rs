@@ -121,34 +121,26 @@ impl Range {
 impl fmt::Display for Range {
     /// The interval in words, e.g. `above 0 and at most 16`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let (Included(low), Included(high)) = (self.low, self.high) {
-            return if low == high {
-                write!(f, "equal to {}", number(low))
-            } else {
-                write!(
-                    f,
-                    "from {} to {}",
-                    number(round_inside(low, 1.0)),
-                    number(round_inside(high, -1.0))
-                )
-            };
-        }
-        let low = match self.low {
-            Included(low) => format!("at least {}", number(round_inside(low, 1.0))),
-            Excluded(low) => format!("above {}", number(round_inside(low, 1.0))),
-            Unbounded => String::new(),
+        let lower = |low| number(round_inside(low, 1.0));
+        let upper = |high| number(round_inside(high, -1.0));
+        let low = match (self.low, self.high) {
+            (Included(low), Included(high)) if low == high => {
+                return write!(f, "equal to {}", number(low));
+            }
+            (Included(low), Included(high)) => {
+                return write!(f, "from {} to {}", lower(low), upper(high));
+            }
+            (Included(low), _) => Some(format!("at least {}", lower(low))),
+            (Excluded(low), _) => Some(format!("above {}", lower(low))),
+            (Unbounded, _) => None,
         };
         let high = match self.high {
-            Included(high) => format!("at most {}", number(round_inside(high, -1.0))),
-            Excluded(high) => format!("below {}", number(round_inside(high, -1.0))),
-            Unbounded => String::new(),
+            Included(high) => Some(format!("at most {}", upper(high))),
+            Excluded(high) => Some(format!("below {}", upper(high))),
+            Unbounded => None,
         };
-        let and = if low.is_empty() || high.is_empty() {
-            ""
-        } else {
-            " and "
-        };
-        write!(f, "{low}{and}{high}")
+        let ends: Vec<_> = low.into_iter().chain(high).collect();
+        f.write_str(&ends.join(" and "))
     }
 }
 

@@ -1,29 +1,26 @@
 //! What can be wrong with the text of a journey, each in one sentence.
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, NAMES};
-use crate::scene::error::SceneError;
+use crate::scene::error::SceneFault;
 use crate::scene::presets::PRESETS;
 use thiserror::Error;
 
 /// Why a text is not a journey.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum JourneyError {
-    /// The text is not TOML, or of another version.
-    #[error(transparent)]
-    Text(#[from] SceneError),
-    /// The TOML does not describe a journey.
-    #[error("{origin}: {fault}")]
-    Fault {
-        /// The journey's file.
-        origin: String,
-        /// What is wrong.
-        fault: Fault,
-    },
+#[error("{origin}: {fault}")]
+pub struct JourneyError {
+    /// The journey's file.
+    pub origin: String,
+    /// What is wrong.
+    pub fault: Fault,
 }
 
-/// What is wrong in the TOML of a journey. Keyframes and captions count from 1.
+/// What is wrong with the text of a journey. Keyframes and captions count from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Fault {
+    /// The text is not TOML, or of another version.
+    #[error(transparent)]
+    Text(#[from] SceneFault),
     /// A key at the top level that is unknown, or has a value of the wrong type.
     #[error(
         "{key} = {given} is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"

@@ -19,8 +19,8 @@ use toml::Table;
 /// # Errors
 /// One sentence that names the file, the keyframe or caption, what was given and what is allowed.
 pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
-    let table = table(origin, text)?;
-    journey(table).map_err(|fault| JourneyError::Fault {
+    let journey = table(text).map_err(Fault::from).and_then(journey);
+    journey.map_err(|fault| JourneyError {
         origin: origin.into(),
         fault,
     })
