@@ -20,6 +20,7 @@ pub use controls::bindings::{Bindable, Bindings, PadBindings};
 pub use controls::control::{Action, Control, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
+pub use controls::key_labels::{KeyLabels, PRINTED};
 pub use controls::refusal::checked_change;
 pub use controls::sections::{SECTIONS, Shown};
 pub use controls::statement::{change_words, statement};
@@ -161,8 +162,9 @@ pub fn program(start: Start) -> App {
     // The adapter has to be chosen before the renderer opens a device.
     let (adapter, other_adapter) = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
-    state::preferences::insert(&mut app, preferences);
-    let faults: Vec<String> = fault.into_iter().chain(other_adapter).collect();
+    let labels = input::layout::current_labels();
+    let clash = state::preferences::insert(&mut app, preferences, &labels);
+    let faults: Vec<String> = fault.into_iter().chain(other_adapter).chain(clash).collect();
     for fault in &faults {
         // The window says it for some seconds only. The log has not begun yet.
         say(format_args!("lightfall: {fault}"));
@@ -203,6 +205,7 @@ pub fn program(start: Start) -> App {
             input::key_modifiers::plugin,
             input::pointer::plugin,
             input::keyboard::plugin,
+            input::layout::plugin,
             input::gamepad::plugin,
         ))
         .add_plugins((

@@ -1,7 +1,7 @@
 //! The response to a gamepad's sticks and triggers, and the controls that its buttons are bound to.
 
 use bevy::prelude::{GamepadButton, Vec2};
-use lightfall::app::{Bindable, CONTROLS, PadBindings, Settings};
+use lightfall::app::{Bindable, CONTROLS, KeyLabels, PadBindings, Settings};
 use lightfall::app::{control_named, deflection, squeeze};
 use std::collections::BTreeMap;
 
@@ -70,10 +70,8 @@ fn every_default_button_has_a_name_and_belongs_to_one_existing_control() {
             "{id}"
         );
     }
-    let in_table = CONTROLS
-        .iter()
-        .map(|control| GamepadButton::defaults(control).len())
-        .sum::<usize>();
+    let defaults = GamepadButton::defaults(&KeyLabels::default());
+    let in_table = defaults.iter().map(Vec::len).sum::<usize>();
     assert_eq!(
         (bound.len(), in_table),
         (16, 16),
@@ -100,7 +98,7 @@ fn names_of_buttons_are_read_back_as_the_same_buttons() {
 fn settings_bind_buttons_separately_from_keys() {
     let text = "[keys]\n\"window.help\" = [\"Home\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"fly.orbit\" = []";
     let settings = Settings::read(text).unwrap();
-    let bindings = PadBindings::new(&settings.buttons).unwrap();
+    let bindings = PadBindings::new(&settings.buttons, &KeyLabels::default()).unwrap();
     assert_eq!(
         bindings.of("window.help"),
         [GamepadButton::Mode, GamepadButton::LeftThumb]
@@ -139,5 +137,8 @@ fn binding_a_button_takes_it_from_its_former_control_even_where_the_key_needs_al
         "A"
     );
     let kept: BTreeMap<_, _> = bindings.settings();
-    assert_eq!(PadBindings::new(&kept).unwrap(), bindings);
+    assert_eq!(
+        PadBindings::new(&kept, &KeyLabels::default()).unwrap(),
+        bindings
+    );
 }

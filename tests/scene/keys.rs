@@ -2,8 +2,8 @@
 
 use bevy::prelude::KeyCode;
 use lightfall::app::{
-    Action, Bindable, Bindings, CONTROLS, Group, Modifier, checked_change, control_named, edited,
-    help_rows, remark,
+    Action, Bindable, Bindings, CONTROLS, Group, KeyLabels, Modifier, checked_change,
+    control_named, edited, help_rows, remark,
 };
 use lightfall_core::scene::{Method, Observer, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
@@ -365,7 +365,11 @@ fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
 
 #[test]
 fn settings_bind_keys_and_say_what_is_wrong_with_them() {
-    let bound = Bindings::new(&settings("view.classes", &["Keypad 1", "Keypad 2"])).unwrap();
+    let bound = Bindings::new(
+        &settings("view.classes", &["Keypad 1", "Keypad 2"]),
+        &KeyLabels::default(),
+    )
+    .unwrap();
     assert_eq!(
         bound.of("view.classes"),
         ["Keypad 1", "Keypad 2"].map(|name| KeyCode::from_name(name).unwrap())
@@ -375,7 +379,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
         settings("view.classes", &["Keypad 1", "Keypad 2"])
     );
     assert_eq!(
-        Bindings::new(&BTreeMap::new()).unwrap(),
+        Bindings::new(&BTreeMap::new(), &KeyLabels::default()).unwrap(),
         Bindings::default()
     );
     for (id, keys, expected) in [
@@ -387,12 +391,12 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
             "view.classes: unknown key \"Alt+K\"",
         ),
     ] {
-        let error = Bindings::new(&settings(id, &keys)).unwrap_err();
+        let error = Bindings::new(&settings(id, &keys), &KeyLabels::default()).unwrap_err();
         assert!(error.contains(expected), "{error}");
     }
     let mut twice = settings("view.classes", &["W"]);
     twice.extend(settings("fly.forward", &["W"]));
-    let error = Bindings::new(&twice).unwrap_err();
+    let error = Bindings::new(&twice, &KeyLabels::default()).unwrap_err();
     assert!(
         error.contains("W is given to both fly.forward and view.classes"),
         "{error}"
@@ -402,16 +406,23 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
 #[test]
 fn a_key_in_the_settings_is_taken_from_the_control_that_has_it_by_default() {
     let w = KeyCode::from_name("W").unwrap();
-    let bound = Bindings::new(&settings("view.classes", &["W"])).unwrap();
+    let bound = Bindings::new(&settings("view.classes", &["W"]), &KeyLabels::default()).unwrap();
     assert_eq!(bound.owner(w, None).unwrap().id, "view.classes");
     assert!(bound.of("fly.forward").is_empty());
-    assert_eq!(Bindings::new(&bound.settings()).unwrap(), bound);
+    assert_eq!(
+        Bindings::new(&bound.settings(), &KeyLabels::default()).unwrap(),
+        bound
+    );
 }
 
 #[test]
 fn a_modifier_belongs_to_a_control_and_its_keys_are_written_with_and_without_it() {
     for name in ["F", "Alt+F"] {
-        let bound = Bindings::new(&settings("window.fullscreen", &[name])).unwrap();
+        let bound = Bindings::new(
+            &settings("window.fullscreen", &[name]),
+            &KeyLabels::default(),
+        )
+        .unwrap();
         assert_eq!(bound.label("window.fullscreen"), "Alt+F");
         let f = KeyCode::from_name("F").unwrap();
         assert_eq!(
@@ -449,7 +460,10 @@ fn binding_a_key_takes_it_from_its_former_control() {
     assert_eq!(bindings.of("window.help"), [w]);
     assert!(bindings.of("fly.forward").is_empty());
     // What was written into the settings is read back as the same.
-    assert_eq!(Bindings::new(&bindings.settings()).unwrap(), bindings);
+    assert_eq!(
+        Bindings::new(&bindings.settings(), &KeyLabels::default()).unwrap(),
+        bindings
+    );
 }
 
 /// The document's table is made from the table of controls: if this fails, the message holds the

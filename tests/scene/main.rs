@@ -25,6 +25,7 @@ mod file_names;
 mod flights;
 mod gamepad;
 mod history;
+mod key_labels;
 mod keys;
 mod legends;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]

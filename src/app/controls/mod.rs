@@ -4,8 +4,10 @@
 pub(crate) mod bindings;
 pub(crate) mod buttons;
 pub(crate) mod control;
+mod default_keys;
 pub(crate) mod edits;
 pub(crate) mod key_feedback;
+pub(crate) mod key_labels;
 pub(crate) mod keys;
 pub(crate) mod refusal;
 pub(crate) mod sections;

@@ -55,6 +55,10 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.right" [KeyD] "fly" Hold(FlightInput::Right);
         "fly.up" [Space] "up, down" Hold(FlightInput::Up);
         "fly.down" [ControlLeft, ControlRight] "up, down" Hold(FlightInput::Down);
+        "fly.look_left" [ArrowLeft] "look around" Hold(FlightInput::LookLeft);
+        "fly.look_right" [ArrowRight] "look around" Hold(FlightInput::LookRight);
+        "fly.look_up" [ArrowUp] "look around" Hold(FlightInput::LookUp);
+        "fly.look_down" [ArrowDown] "look around" Hold(FlightInput::LookDown);
         "fly.roll_left" [KeyQ] "roll" Hold(FlightInput::RollLeft);
         "fly.roll_right" [KeyE] "roll" Hold(FlightInput::RollRight);
         "fly.faster" [ShiftLeft, ShiftRight] "fly faster" Hold(FlightInput::Faster);
@@ -66,8 +70,8 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.mouse" [Tab] "mouse looks around" Do(AppCommand::MouseLook);
         "journey.fly" [KeyJ] "journey: start, stop" Do(AppCommand::Journey);
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
-        "journey.back" [ArrowLeft] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyBack);
-        "journey.ahead" [ArrowRight] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyAhead);
+        "journey.back" Shift + [ArrowLeft] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyBack);
+        "journey.ahead" Shift + [ArrowRight] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyAhead);
         "motion.pause" [Slash] "pause what moves, go on" Do(AppCommand::Pause);
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);
@@ -101,7 +105,7 @@ pub const CONTROLS: &[Control] = controls! {
         "light.gravitational_shift" [KeyC] "gravitational shift" Edit(Flip("effects.gravitational_shift"));
     }
     View {
-        "view.unfinished" [F11, ArrowDown] _ Edit(Show(View::Unfinished));
+        "view.unfinished" [F11] _ Edit(Show(View::Unfinished));
         "view.classes" [KeyB] _ Edit(Show(View::Classes));
         "view.residual" [KeyM] _ Edit(Show(View::Residual));
         "view.order" [KeyN] _ Edit(Show(View::Order));
@@ -127,7 +131,7 @@ pub const CONTROLS: &[Control] = controls! {
         "window.help" [F1, Backquote] "this help" Do(AppCommand::Help);
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
-        "window.guides" [F10, ArrowUp] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
+        "window.guides" [F10] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
         "window.star_names" Shift + [KeyG] "names of the bright stars" Do(AppCommand::StarNames);
         "window.hide" [KeyH] "photo mode: only the picture" Do(AppCommand::Hide);
         "window.screenshot" [F12, PrintScreen, Insert] "save the picture" Do(AppCommand::Screenshot);

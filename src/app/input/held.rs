@@ -3,7 +3,7 @@
 use super::gamepad::Pads;
 use super::typing::Typing;
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::{Action, FlightInput};
+use crate::app::controls::control::{Action, FlightInput, Modifier};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 
@@ -33,9 +33,20 @@ impl HeldControls<'_, '_> {
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);
-        // Modifiers are not asked for: Shift flies faster, Alt slower and Ctrl down.
+        // Shift flies faster, Alt slower and Ctrl down, so that a key flies with them as well, unless
+        // it means another control then.
+        let modifiers = Modifier::ALL
+            .into_iter()
+            .filter(|modifier| modifier.keys().iter().any(|key| self.keys.pressed(*key)));
+        let modifiers: Vec<Modifier> = modifiers.collect();
+        let means_other = |code: &KeyCode| {
+            let owner = |modifier: &Modifier| self.bindings.owner(*code, Some(*modifier));
+            modifiers.iter().any(|modifier| owner(modifier).is_some())
+        };
         // A tap that begins and ends within one slow frame counts for that frame.
-        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
+        let held = |code: &KeyCode| {
+            (self.keys.pressed(*code) || self.keys.just_pressed(*code)) && !means_other(code)
+        };
         let mut controls = self
             .bindings
             .iter()

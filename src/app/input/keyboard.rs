@@ -22,7 +22,7 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 /// Applies each press in its order. Two presses within one slow frame are two.
-fn apply_pressed_controls(
+pub(super) fn apply_pressed_controls(
     mut inputs: MessageReader<KeyboardInput>,
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,

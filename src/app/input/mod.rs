@@ -4,5 +4,6 @@ pub(crate) mod gamepad;
 pub(crate) mod held;
 pub(crate) mod key_modifiers;
 pub(crate) mod keyboard;
+pub(crate) mod layout;
 pub(crate) mod pointer;
 pub(crate) mod typing;

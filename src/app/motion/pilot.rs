@@ -47,7 +47,7 @@ const PIXELS_PER_NOTCH: f32 = 40.0;
 const ROLL_SPEED: f64 = 0.9;
 /// Turn per pixel of mouse motion, as a share of the vertical field of view.
 const MOUSE_TURN: f64 = 1.0 / 500.0;
-/// Turn per second by a stick, as a share of the vertical field of view.
+/// Turn per second by a stick or a key, as a share of the vertical field of view.
 const STICK_TURN: f64 = 1.0;
 /// Way of the orbit camera around the hole, in radians: per pixel of mouse motion, and per second
 /// by a key or a stick.
@@ -177,7 +177,7 @@ fn looks(pilot: &Pilot, buttons: &ButtonInput<MouseButton>) -> bool {
 struct Hand {
     /// Thrust toward the camera's right, up and forward, of length one at most.
     thrust: DVec3,
-    /// Turn to the right and up by the sticks, and motion of the mouse in pixels, up being positive.
+    /// Turn to the right and up by sticks and keys, and motion of the mouse in pixels, up being positive.
     stick: DVec2,
     mouse: DVec2,
     roll: f64,
@@ -200,6 +200,10 @@ impl Hand {
             held.axis(FlightInput::Up, FlightInput::Down),
             held.axis(FlightInput::Forward, FlightInput::Backward) + left.y,
         );
+        let arrows = DVec2::new(
+            held.axis(FlightInput::LookRight, FlightInput::LookLeft),
+            held.axis(FlightInput::LookUp, FlightInput::LookDown),
+        );
         let up = DVec2::new(1.0, if settings.invert_y { -1.0 } else { 1.0 });
         let mouse = if !held.typing.0 && looks(pilot, buttons) {
             motion * DVec2::new(1.0, -1.0) * settings.mouse_sensitivity
@@ -208,7 +212,7 @@ impl Hand {
         };
         Self {
             thrust: thrust.clamp_length_max(1.0),
-            stick: right * up,
+            stick: right * up + arrows,
             mouse: mouse * up,
             roll: held.axis(FlightInput::RollRight, FlightInput::RollLeft),
             gear: GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),

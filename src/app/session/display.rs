@@ -53,7 +53,7 @@ const BETWEEN_TRIES: Duration = Duration::from_millis(300);
 /// The program's own connection to the X server. It stays open as long as the program runs: a server
 /// without other clients starts anew when its last one leaves, and refuses those that come meanwhile.
 #[cfg(target_os = "linux")]
-fn x_connection() -> &'static Result<RustConnection, ConnectError> {
+pub(crate) fn x_connection() -> &'static Result<RustConnection, ConnectError> {
     static CONNECTION: LazyLock<Result<RustConnection, ConnectError>> = LazyLock::new(|| {
         let mut tries = 1;
         loop {

@@ -3,6 +3,7 @@
 use super::settings::Settings;
 use super::toast::Toast;
 use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::app::controls::key_labels::KeyLabels;
 use bevy::prelude::*;
 use lightfall_platform::storage::settings_file;
 use std::path::PathBuf;
@@ -55,11 +56,20 @@ impl Preferences {
     }
 }
 
-/// Adds the settings and the bindings in them, and keeps them in their file.
-pub(crate) fn insert(app: &mut App, preferences: Preferences) {
-    // Both were checked when the file was read.
-    let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
-    let pad_bindings = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
+/// Adds the settings and the bindings in them, on a keyboard of this layout, and keeps them in their
+/// file. Both were checked when the file was read, but a layout may bring two keys together: the
+/// sentence says which.
+pub(crate) fn insert(
+    app: &mut App,
+    preferences: Preferences,
+    labels: &KeyLabels,
+) -> Option<String> {
+    let bound = Bindings::new(&preferences.settings.keys, labels);
+    let clash = bound.as_ref().err().map(|clash| {
+        format!("{clash}: on this keyboard's layout every control has its usual keys")
+    });
+    let bindings = bound.unwrap_or_else(|_| Bindings::with_defaults(labels));
+    let pad_bindings = PadBindings::new(&preferences.settings.buttons, labels).unwrap_or_default();
     app.insert_resource(preferences)
         .insert_resource(bindings)
         .insert_resource(pad_bindings)

@@ -2,6 +2,7 @@
 
 use super::settings_fault::{SettingsFault, Unused};
 use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::app::controls::key_labels::KeyLabels;
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::MASSES;
 use lightfall_platform::storage::{self, TextError};
@@ -180,8 +181,9 @@ impl Settings {
             MOUSE_SENSITIVITIES,
         )?;
         within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
-        Bindings::new(&self.keys)?;
-        PadBindings::new(&self.buttons).map(drop)
+        let usual = KeyLabels::default();
+        Bindings::new(&self.keys, &usual)?;
+        PadBindings::new(&self.buttons, &usual).map(drop)
     }
 
     /// Reads a settings file. A file that does not exist gives the defaults. So do a broken file,

@@ -67,7 +67,7 @@ fn a_journey_shows_its_captions_and_slash_stops_the_camera_until_it_is_pressed_a
     desktop.press("Return");
     moves(&desktop, "Enter starts no journey");
     // Past the title, to the first caption.
-    desktop.press("Right");
+    desktop.press("shift+Right");
     desktop.until("the first caption", has_caption);
     desktop.press("slash");
     let paused = desktop.settled("slash pauses", has_caption);

@@ -21,6 +21,7 @@ mod hands;
 mod inspector;
 mod keys;
 mod latency;
+mod layouts;
 mod lost;
 mod manager;
 mod menu;

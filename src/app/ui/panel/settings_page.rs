@@ -37,7 +37,7 @@ pub(super) fn show(
         let reset = ui.button("Reset keys");
         let reset = reset.on_hover_text("Every key and button as it was at first");
         if reset.clicked() {
-            **bindings = Bindings::default();
+            **bindings = Bindings::with_defaults(bindings.labels());
             **pad_bindings = PadBindings::default();
         }
     });
