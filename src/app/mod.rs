@@ -164,7 +164,11 @@ pub fn program(start: Start) -> App {
     let mut app = App::new();
     let labels = input::layout::current_labels();
     let clash = state::preferences::insert(&mut app, preferences, &labels);
-    let faults: Vec<String> = fault.into_iter().chain(other_adapter).chain(clash).collect();
+    let faults: Vec<String> = fault
+        .into_iter()
+        .chain(other_adapter)
+        .chain(clash)
+        .collect();
     for fault in &faults {
         // The window says it for some seconds only. The log has not begun yet.
         say(format_args!("lightfall: {fault}"));

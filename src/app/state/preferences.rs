@@ -75,6 +75,7 @@ pub(crate) fn insert(
         .insert_resource(pad_bindings)
         .add_systems(Update, (take_in_bindings, save_settings).chain())
         .add_systems(Last, save_settings_at_exit);
+    clash
 }
 
 fn take_in_bindings(
