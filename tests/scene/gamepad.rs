@@ -1,7 +1,7 @@
 //! The response to a gamepad's sticks and triggers, and the controls that its buttons are bound to.
 
 use bevy::prelude::{GamepadButton, Vec2};
-use lightfall::app::{Bindable, CONTROLS, KeyLabels, PadBindings, Settings};
+use lightfall::app::{Bindable, KeyLabels, PadBindings, Settings};
 use lightfall::app::{control_named, deflection, squeeze};
 use std::collections::BTreeMap;
 
