@@ -68,26 +68,25 @@ fn follow_layout(
     }
 }
 
-/// The letter or sign that a key types without a modifier.
+/// The letter or sign that a key types. None while Shift or Alt changes it; Ctrl does not.
 fn typed_plainly(input: &KeyboardInput, keys: &ButtonInput<KeyCode>) -> Option<char> {
-    use KeyCode::{AltLeft, AltRight, ControlLeft, ControlRight, ShiftLeft, ShiftRight};
-    let modifiers = [
-        AltLeft,
-        AltRight,
-        ControlLeft,
-        ControlRight,
-        ShiftLeft,
-        ShiftRight,
-    ];
+    use KeyCode::{AltLeft, AltRight, ShiftLeft, ShiftRight};
     let held = |code: KeyCode| keys.pressed(code) || keys.just_released(code);
     let Key::Character(text) = &input.logical_key else {
         return None;
     };
     let mut typed = text.chars();
-    let (Some(typed), None) = (typed.next(), typed.next()) else {
-        return None;
-    };
-    (!modifiers.into_iter().any(held)).then_some(typed)
+    match (typed.next(), typed.next()) {
+        (Some(typed), None)
+            if !typed.is_control()
+                && ![AltLeft, AltRight, ShiftLeft, ShiftRight]
+                    .into_iter()
+                    .any(held) =>
+        {
+            Some(typed)
+        }
+        _ => None,
+    }
 }
 
 /// Whether a letter belongs to the Latin script: Basic Latin to Latin Extended-B.
