@@ -1,6 +1,6 @@
 //! The circumstances of a measurement: machine, program and command line.
 
-use lightfall_core::gpu::Gpu;
+use lightfall_core::gpu::{Gpu, driver};
 use lightfall_lab::bench::Plan;
 use lightfall_lab::circumstances::{Circumstances, date};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -10,9 +10,7 @@ pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstanc
     let info = &gpu.info;
     Circumstances {
         adapter: info.name.clone(),
-        driver: format!("{} {}", info.driver, info.driver_info)
-            .trim()
-            .to_owned(),
+        driver: driver(info),
         backend: info.backend.to_string(),
         size,
         entry: entry.into(),

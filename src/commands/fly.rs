@@ -2,8 +2,8 @@
 
 use super::cli::FlyArgs;
 use super::console::close_own_console;
-use super::render::write_still;
-use super::scene::{drawable, journey, scene, stars};
+use super::output::print;
+use super::scene::{drawable, journey, note_missing_stars, scene, stars};
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
@@ -15,7 +15,7 @@ use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Output, Scene};
 use lightfall_picture as picture;
-use lightfall_picture::HeadlessOptions;
+use lightfall_picture::{HeadlessOptions, Studio};
 use lightfall_platform::log::say;
 use lightfall_platform::storage::file_safe_name;
 use std::path::{Path, PathBuf};
@@ -38,12 +38,14 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     };
     note_idle_preset(args.scene.preset.as_deref(), &scene);
     note_unused(&args.scene, &scene, output, |without| without, |_| None);
+    let message = note_missing_stars(&args.scene, &scene, stars);
     if let Err(reason) = display {
         return draw_instead(scene, stars, &journey, journey_file, &reason);
     }
     close_own_console();
     let start = Start::new(drawable, journey);
     let start = Start {
+        message,
         stars,
         plays_journey: journey_file.is_some(),
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
@@ -93,9 +95,11 @@ fn draw_instead(
         stars,
         ..HeadlessOptions::default()
     };
-    let still =
-        picture::render_with(&picture::filled(&scene), size, options).map_err(Stop::failed)?;
-    write_still(&file, &still, &scene)
+    let mut studio =
+        Studio::with_options(&picture::filled(&scene), size, options).map_err(Stop::failed)?;
+    let still = studio.picture().map_err(Stop::failed)?;
+    picture::write_png(&file, &still, &studio.record(&scene))?;
+    print(&format!("{}\n", file.display()))
 }
 
 /// A file in the current folder that does not exist yet: a picture whose name the user did not

@@ -14,13 +14,12 @@ use self::writer::PictureWriter;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
-use super::scene::{scene, stars};
+use super::scene::{note_missing_stars, scene, stars};
 use super::stop::Stop;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
-use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Still, Studio, write_png};
+use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
-use std::path::Path;
 
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
@@ -63,10 +62,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_unseen_stars(args, &pictures.scene);
     note_darkness(&pictures.scene);
     let suspects = note_unused_options(args, &pictures);
+    let stars = stars(&args.scene)?;
+    note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
         light: format == Format::Exr,
-        stars: stars(&args.scene)?,
+        stars,
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let first_scene = drawn_scene(&first_scene, format);
@@ -140,10 +141,4 @@ fn with_size(args: &RenderArgs, mut scene: Scene) -> Scene {
         scene.picture = resized(&scene.picture, size);
     }
     scene
-}
-
-/// Writes a finished picture of the scene as PNG and prints the file's name.
-pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
-    write_png(file, still, &scene.to_preset())?;
-    print(&format!("{}\n", file.display()))
 }

@@ -65,6 +65,17 @@ pub(super) fn stars(args: &SceneArgs) -> Result<&'static Catalogue, Stop> {
     }
 }
 
+/// Says so if the preset is in a picture of other stars than these. Returns the sentence.
+pub(super) fn note_missing_stars(
+    args: &SceneArgs,
+    scene: &Scene,
+    stars: &Catalogue,
+) -> Option<String> {
+    let remark = storage::missing_stars(args.preset.as_deref()?, scene, stars)?;
+    say(format_args!("lightfall: {remark}"));
+    Some(remark)
+}
+
 /// Checks that the scene can be drawn, and that there is a graphics device. Says so where it is
 /// another one than was to be expected.
 pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {

@@ -30,6 +30,7 @@ use lightfall_core::scene::{
     DiskStructure, LimbDarkening, Method, Scene, SkyMode, ToneCurve, View, presets,
 };
 use lightfall_picture::{Still, Studio, check_path, render, write_png};
+use lightfall_platform::storage::PictureRecord;
 
 fn preset(number: usize) -> Scene {
     presets::find(&number.to_string())
@@ -333,7 +334,8 @@ fn a_picture_file_appears_complete_or_not_at_all() {
         size: UVec2::new(2, 1),
         rgb: rgb.to_vec(),
     };
-    assert!(write_png(&here("short.png"), &still(&[0; 3]), "").is_err());
+    let record = PictureRecord::default();
+    assert!(write_png(&here("short.png"), &still(&[0; 3]), &record).is_err());
     check_path(&here("a.png")).unwrap();
     assert_eq!(
         std::fs::read_dir(folder.path()).unwrap().count(),
@@ -342,8 +344,8 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     );
 
     let rgb = [10, 20, 30, 40, 50, 60];
-    write_png(&here("a.png"), &still(&rgb), "").unwrap();
-    write_png(&here("a.png"), &still(&rgb), "").unwrap();
+    write_png(&here("a.png"), &still(&rgb), &record).unwrap();
+    write_png(&here("a.png"), &still(&rgb), &record).unwrap();
     assert_eq!(
         image::open(here("a.png")).unwrap().to_rgb8().into_raw(),
         rgb

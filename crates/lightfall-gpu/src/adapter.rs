@@ -249,13 +249,12 @@ fn list(adapters: Vec<Adapter>) -> Vec<Listed> {
         let info = adapter.get_info();
         let name = AdapterName::of(&info);
         if listed.iter().all(|other| other.name != name) {
-            let driver = format!("{} {}", info.driver, info.driver_info);
             let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
             let abilities = Abilities::of(&adapter);
             listed.push(Listed {
                 name,
                 kind: kind(info.device_type),
-                driver,
+                driver: driver(&info),
                 timestamps,
                 missing: abilities.missing(),
                 limits: abilities.limits,
@@ -263,6 +262,13 @@ fn list(adapters: Vec<Adapter>) -> Vec<Listed> {
         }
     }
     listed
+}
+
+/// The driver of an adapter, with the version. Empty where the interface tells neither.
+pub fn driver(info: &AdapterInfo) -> String {
+    format!("{} {}", info.driver, info.driver_info)
+        .trim()
+        .to_owned()
 }
 
 /// The kind of an adapter in one word.

@@ -1,7 +1,9 @@
 //! The replacement of a chosen adapter that cannot be used: some systems list adapters that give no
 //! device, such as Direct3D 12 without a shader compiler, or whose driver is too old.
 
-use super::adapter::{AdapterName, adapter, every_adapter, named_by_environment, replace_chosen};
+use super::adapter::{
+    AdapterName, adapter, driver, every_adapter, named_by_environment, replace_chosen,
+};
 use super::error::GpuError;
 use super::requirements::Abilities;
 use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Features, Queue};
@@ -93,7 +95,7 @@ pub fn working_adapter() -> Result<WorkingAdapter, GpuError> {
     let info = adapter.get_info();
     let name = AdapterName::of(&info);
     Ok(WorkingAdapter {
-        description: format!("{name}, {} {}", info.driver, info.driver_info),
+        description: format!("{name}, {}", driver(&info)),
         failures,
     })
 }

@@ -31,7 +31,7 @@ pub mod timing;
 
 pub use accumulation::Accumulation;
 pub use adapter::{
-    AdapterName, Listed, about_hidden_adapters, adapters, check_adapter, chosen, kind,
+    AdapterName, Listed, about_hidden_adapters, adapters, check_adapter, chosen, driver, kind,
     named_by_environment, prefer,
 };
 pub use antialias::{EdgeTraits, Edges};

@@ -3,7 +3,7 @@
 use super::file::PictureError;
 use super::still::Still;
 use glam::UVec2;
-use lightfall_platform::storage::{PRESET_KEY, write_atomically};
+use lightfall_platform::storage::{PictureRecord, add_record, write_atomically};
 use std::io::{self, Write};
 use std::mem;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ impl Write for Bytes {
 }
 
 impl Animation {
-    /// Begins an animation of `count` frames that holds the preset of the first one.
+    /// Begins an animation of `count` frames that holds the record of the first one.
     ///
     /// # Errors
     /// The encoder refuses the size or the number of frames.
@@ -45,7 +45,7 @@ impl Animation {
         path: &Path,
         size: UVec2,
         (count, fps): (u32, f64),
-        preset: &str,
+        record: &PictureRecord,
     ) -> Result<Self, PictureError> {
         let fault = |error: png::EncodingError| encoding_fault(path, &error);
         let bytes = Bytes::default();
@@ -58,9 +58,7 @@ impl Animation {
         encoder
             .set_frame_delay(delay.clamp(1.0, f64::from(u16::MAX)) as u16, DELAY_PARTS)
             .map_err(fault)?;
-        encoder
-            .add_itxt_chunk(PRESET_KEY.into(), preset.into())
-            .map_err(fault)?;
+        add_record(&mut encoder, record).map_err(fault)?;
         Ok(Self {
             path: path.into(),
             bytes,

@@ -3,7 +3,9 @@
 use super::Still;
 use glam::UVec2;
 use lightfall_core::scene::MAX_PICTURE_SIDE;
-use lightfall_platform::storage::{WriteError, check_writable, encoded_png, write_atomically};
+use lightfall_platform::storage::{
+    PictureRecord, WriteError, check_writable, encoded_png, write_atomically,
+};
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be drawn or written. Each message is one sentence.
@@ -101,14 +103,14 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
     Ok(format)
 }
 
-/// Writes a picture as a PNG that holds the preset that drew it. The file appears under its name
-/// only when it is complete.
+/// Writes a picture as a PNG that holds its record. The file appears under its name only when it
+/// is complete.
 ///
 /// # Errors
 /// The encoding failed, or the file cannot be written.
-pub fn write_png(path: &Path, still: &Still, preset: &str) -> Result<(), PictureError> {
+pub fn write_png(path: &Path, still: &Still, record: &PictureRecord) -> Result<(), PictureError> {
     let Still { size, rgb } = still;
-    let bytes = encoded_png(size.x, size.y, rgb, preset).map_err(|error| PictureError::Encode {
+    let bytes = encoded_png(size.x, size.y, rgb, record).map_err(|error| PictureError::Encode {
         path: path.into(),
         reason: error.to_string(),
     })?;

@@ -7,7 +7,7 @@ use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
 use lightfall_core::scene::Scene;
 use lightfall_core::words;
-use lightfall_platform::storage::{preset_pieces, write_atomically};
+use lightfall_platform::storage::{PictureRecord, preset_pieces, write_atomically};
 use lightfall_render::Captured;
 use std::io::Cursor;
 use std::path::Path;
@@ -49,6 +49,8 @@ impl ChannelNames {
 pub struct Linear<'a> {
     /// The scene it shows.
     pub scene: &'a Scene,
+    /// Its record.
+    pub record: PictureRecord,
     /// Its light.
     pub light: Captured,
     /// The channels of its rays.
@@ -145,16 +147,16 @@ fn attributes(picture: &Linear) -> LayerAttributes {
         .list()
         .iter()
         .map(|channel| (picture.names.of(channel), channel.about));
-    let mut texts = vec![
-        ("lightfall.version".to_owned(), version.to_owned()),
-        ("lightfall.method".into(), method(picture.scene).to_owned()),
-    ];
+    let method = method(picture.scene).to_owned();
+    let mut texts = vec![("lightfall.method".to_owned(), method)];
+    let beside_preset = picture.record.texts.iter();
+    texts.extend(beside_preset.map(|(name, text)| ((*name).to_owned(), text.clone())));
     texts.extend(
         picture
             .commit
             .map(|commit| ("lightfall.commit".into(), commit.into())),
     );
-    texts.extend(preset_pieces(&picture.scene.to_preset()));
+    texts.extend(preset_pieces(&picture.record.preset));
     texts.extend(
         LIGHT
             .into_iter()

@@ -6,8 +6,10 @@ use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
 use lightfall_core::scene::{Frame, Scene, fit};
+use lightfall_platform::storage::PictureRecord;
 use lightfall_render::{
     Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
+    StarCatalogue,
 };
 
 /// A finished picture.
@@ -91,6 +93,14 @@ impl Studio {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         self.app.world().resource::<CurrentScene>().scene()
+    }
+
+    /// The record of a picture of this scene that the studio draws.
+    #[must_use]
+    pub fn record(&self, scene: &Scene) -> PictureRecord {
+        let world = self.app.world();
+        let stars = world.resource::<StarCatalogue>();
+        PictureRecord::new(scene, stars, world.get_resource())
     }
 
     /// Compares the scene with the settings of another one from the next frame on, or with nothing.

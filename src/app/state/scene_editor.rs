@@ -14,7 +14,11 @@ use bevy::prelude::*;
 use glam::DMat3;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Frame, Picture, Scene};
-use lightfall_render::{CurrentFrame, CurrentScene, FrameScene, draw_scene_in_frame};
+use lightfall_platform::storage::missing_stars;
+use lightfall_render::{
+    CurrentFrame, CurrentScene, FrameScene, StarCatalogue, draw_scene_in_frame,
+};
+use std::path::Path;
 use std::time::Duration;
 
 /// The scene, what drives its frame, and the way to change both.
@@ -27,6 +31,7 @@ pub(crate) struct SceneEditor<'w> {
     history: ResMut<'w, History>,
     toast: ResMut<'w, Toast>,
     title: ResMut<'w, Title>,
+    stars: Res<'w, StarCatalogue>,
     time: Res<'w, Time<Real>>,
 }
 
@@ -120,6 +125,17 @@ impl SceneEditor<'_> {
                 self.put(loaded);
             });
         self.report(asker, loaded)
+    }
+
+    /// As [`load`](Self::load), for the scene of a file. Says so if the file is a picture of other
+    /// stars than those at hand.
+    pub(crate) fn load_file(&mut self, file: &Path, loaded: Result<Scene, String>) -> bool {
+        let done = self.load("", loaded);
+        let remark = missing_stars(file.as_os_str(), self.scene.scene(), &self.stars);
+        if let Some(remark) = remark.filter(|_| done) {
+            self.say(remark);
+        }
+        done
     }
 
     /// Notes that a flight is about to lead the camera away, which can be undone, and takes the

@@ -38,7 +38,7 @@ impl PictureWriter {
         match self.format {
             Format::Png => {
                 let still = self.studio.picture()?;
-                picture::write_png(file, &still, &scene.to_preset())?;
+                picture::write_png(file, &still, &self.studio.record(&scene))?;
                 self.still = Some(still);
                 Ok(())
             }
@@ -55,7 +55,8 @@ impl PictureWriter {
             Some(animation) => animation,
             none => {
                 let pace = (self.frames, self.fps.unwrap_or(1.0));
-                none.insert(Animation::new(file, still.size, pace, &scene.to_preset())?)
+                let record = self.studio.record(scene);
+                none.insert(Animation::new(file, still.size, pace, &record)?)
             }
         };
         animation.add(still)
@@ -81,6 +82,7 @@ impl PictureWriter {
         let commit = commit();
         let picture = Linear {
             scene,
+            record: self.studio.record(scene),
             light,
             channels: &self.channels,
             samples,

@@ -26,12 +26,23 @@ pub struct NamedStar {
     pub star: Star,
 }
 
+/// The file that a catalogue was read from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StarFile {
+    /// Its name, without folders.
+    pub name: String,
+    /// The SHA-256 of its bytes, as 64 hexadecimal digits.
+    pub sha256: String,
+}
+
 /// A catalogue of stars, brightest first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Catalogue {
     stars: Vec<Star>,
     names: Vec<NamedStar>,
     remarks: Vec<String>,
+    /// The user's file that it was read from, where whoever read the file names it.
+    pub file: Option<StarFile>,
 }
 
 impl Catalogue {

@@ -13,7 +13,7 @@ pub mod images;
 mod list;
 mod photometry;
 
-pub use catalogue::{Catalogue, CatalogueError, MAX_NAME_CHARS, MAX_STARS, NamedStar};
+pub use catalogue::{Catalogue, CatalogueError, MAX_NAME_CHARS, MAX_STARS, NamedStar, StarFile};
 pub use counts::{FAINTER_SHARE, number_brighter};
 pub use depth::Depth;
 pub use faint::FIRST_MAGNITUDE;

@@ -1,15 +1,19 @@
-//! The preset inside a picture: every picture that the program writes holds the preset that drew
-//! it.
+//! The texts inside a picture: every picture that the program writes holds the preset that drew it,
+//! and the rest of its record.
 
-use std::io::Cursor;
+use super::picture_record::PictureRecord;
+use std::io::{Cursor, Write};
 
 /// The name of the preset inside a picture: of a text chunk in PNG, of an attribute in EXR. In EXR
 /// the preset is in pieces, whose names end in `.00`, `.01` and so on; version 0.1 wrote one piece.
-pub const PRESET_KEY: &str = "lightfall.preset";
+const PRESET_KEY: &str = "lightfall.preset";
+
+/// The name of the text about the list of stars.
+pub(super) const STARS_KEY: &str = "lightfall.stars";
 
 /// Maximum length of a text in the header of an EXR file, in bytes: ffmpeg 5.1 cannot skip longer
 /// ones.
-const MAX_PIECE_BYTES: usize = 255;
+pub(super) const MAX_PIECE_BYTES: usize = 255;
 
 /// The preset in pieces for the header of an EXR file, with their names: without comments, and
 /// split between lines where a line is not longer than a piece.
@@ -56,25 +60,30 @@ pub fn is_picture(bytes: &[u8]) -> bool {
 /// The preset precedes the pixels, so the first part of the file is enough.
 #[must_use]
 pub fn embedded_preset(bytes: &[u8]) -> Option<String> {
+    embedded_text(bytes, PRESET_KEY)
+}
+
+/// The text of this name in a PNG or EXR picture, as [`embedded_preset`].
+pub(super) fn embedded_text(bytes: &[u8], key: &str) -> Option<String> {
     if bytes.starts_with(PNG_SIGNATURE) {
-        in_png(bytes)
+        in_png(bytes, key)
     } else {
-        in_exr(bytes)
+        in_exr(bytes, key)
     }
 }
 
-fn in_png(bytes: &[u8]) -> Option<String> {
+fn in_png(bytes: &[u8], key: &str) -> Option<String> {
     let reader = png::Decoder::new(Cursor::new(bytes)).read_info().ok()?;
     let chunk = reader
         .info()
         .utf8_text
         .iter()
-        .find(|chunk| chunk.keyword == PRESET_KEY)?;
+        .find(|chunk| chunk.keyword == key)?;
     chunk.get_text().ok()
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-fn in_exr(bytes: &[u8]) -> Option<String> {
+fn in_exr(bytes: &[u8], key: &str) -> Option<String> {
     use exr::meta::MetaData;
     use exr::meta::attribute::AttributeValue;
     use std::collections::BTreeMap;
@@ -85,7 +94,7 @@ fn in_exr(bytes: &[u8]) -> Option<String> {
         .flat_map(|header| header.own_attributes.other.iter());
     let pieces: BTreeMap<&[u8], &[u8]> = attributes
         .filter_map(|(name, value)| match value {
-            AttributeValue::Text(text) if name.as_slice().starts_with(PRESET_KEY.as_bytes()) => {
+            AttributeValue::Text(text) if name.as_slice().starts_with(key.as_bytes()) => {
                 Some((name.as_slice(), text.as_slice()))
             }
             _ => None,
@@ -97,11 +106,11 @@ fn in_exr(bytes: &[u8]) -> Option<String> {
 
 /// In a browser only PNG pictures are read.
 #[cfg(target_arch = "wasm32")]
-fn in_exr(_: &[u8]) -> Option<String> {
+fn in_exr(_: &[u8], _: &str) -> Option<String> {
     None
 }
 
-/// 8-bit RGB rows, the top one first, as a PNG that holds the preset that drew them.
+/// 8-bit RGB rows, the top one first, as a PNG that holds the record of how they were drawn.
 ///
 /// # Errors
 /// There are not as many bytes as the size says.
@@ -109,7 +118,7 @@ pub fn encoded_png(
     width: u32,
     height: u32,
     rgb: &[u8],
-    preset: &str,
+    record: &PictureRecord,
 ) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
@@ -117,9 +126,24 @@ pub fn encoded_png(
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
     encoder.set_filter(png::Filter::Adaptive);
-    encoder.add_itxt_chunk(PRESET_KEY.into(), preset.into())?;
+    add_record(&mut encoder, record)?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(rgb)?;
     writer.finish()?;
     Ok(bytes)
+}
+
+/// Writes the record of a picture into the header of its PNG.
+///
+/// # Errors
+/// The encoder refuses it.
+pub fn add_record<W: Write>(
+    encoder: &mut png::Encoder<W>,
+    record: &PictureRecord,
+) -> Result<(), png::EncodingError> {
+    encoder.add_itxt_chunk(PRESET_KEY.into(), record.preset.clone())?;
+    for (name, text) in &record.texts {
+        encoder.add_itxt_chunk((*name).into(), text.clone())?;
+    }
+    Ok(())
 }

@@ -6,10 +6,11 @@ mod embedded_preset;
 mod file_name;
 mod files;
 mod folders;
+mod picture_record;
 mod scene_source;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
-pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture, preset_pieces};
+pub use embedded_preset::{add_record, embedded_preset, encoded_png, is_picture, preset_pieces};
 pub use file_name::file_safe_name;
 pub use files::{
     TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,
@@ -20,6 +21,7 @@ pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
 pub use folders::{preset_files, presets_folder, settings_file};
+pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{
     SourceError, own_presets, read_journey, read_scene, read_stars, scene_by_name, scene_of_file,
 };

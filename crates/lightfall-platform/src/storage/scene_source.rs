@@ -1,19 +1,20 @@
 //! Scenes by name, from preset files and from pictures; journeys and catalogues of stars from files.
 
 use super::embedded_preset::{embedded_preset, is_picture};
-use super::files::{TextError, exists, read, read_text, text_of};
+use super::files::{TextError, exists, read, text_of};
 use super::folders::{preset_files, presets_folder};
 use lightfall_core::gpu::Drawable;
-use lightfall_core::optics::stars::{Catalogue, CatalogueError};
+use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
 use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
+use sha2::{Digest, Sha256};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Maximum size of a preset file, in bytes.
-const MAX_PRESET_BYTES: u64 = 1 << 20;
+pub(super) const MAX_PRESET_BYTES: u64 = 1 << 20;
 
 /// Maximum size of a catalogue of stars, in bytes: more than the largest number of stars takes.
 const MAX_STAR_FILE_BYTES: u64 = 256 << 20;
@@ -143,8 +144,20 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
 /// # Errors
 /// The file cannot be read, or is not a catalogue.
 pub fn read_stars(path: &Path) -> Result<Catalogue, SourceError> {
-    let text = read_text(path, MAX_STAR_FILE_BYTES).map_err(|fault| no_text(path, fault, ""))?;
-    Ok(Catalogue::from_csv(&path.display().to_string(), &text)?)
+    let fault = |fault| no_text(path, fault, "");
+    let bytes = read(path, MAX_STAR_FILE_BYTES).map_err(|error| fault(error.into()))?;
+    let hash = Sha256::digest(&bytes);
+    let text = text_of(bytes, MAX_STAR_FILE_BYTES).map_err(fault)?;
+    let mut catalogue = Catalogue::from_csv(&path.display().to_string(), &text)?;
+    catalogue.file = Some(StarFile {
+        name: path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into(),
+        sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+    });
+    Ok(catalogue)
 }
 
 /// The files of the user's own presets, which the window's panel saves.

@@ -5,10 +5,12 @@ use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
+use bevy::render::renderer::RenderAdapterInfo;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy_egui::{EguiPostUpdateSet, EguiRenderOutput};
 use lightfall_platform::browser;
-use lightfall_platform::storage::{encoded_png, file_safe_name};
+use lightfall_platform::storage::{PictureRecord, encoded_png, file_safe_name};
+use lightfall_render::StarCatalogue;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -38,13 +40,17 @@ fn capture_window(
     }
 }
 
-fn download_picture(captured: On<ScreenshotCaptured>, mut editor: SceneEditor) {
+fn download_picture(
+    captured: On<ScreenshotCaptured>,
+    mut editor: SceneEditor,
+    (stars, adapter): (Res<StarCatalogue>, Option<Res<RenderAdapterInfo>>),
+) {
     let scene = editor.scene_in_window();
+    let record = PictureRecord::new(&scene, &stars, adapter.as_deref());
     let name = format!("lightfall-{}.png", file_safe_name(&scene.name));
     let download = || {
         let (size, rgb) = pixels(captured.image.clone())?;
-        let png = encoded_png(size.x, size.y, &rgb, &scene.to_preset())
-            .map_err(|error| error.to_string())?;
+        let png = encoded_png(size.x, size.y, &rgb, &record).map_err(|error| error.to_string())?;
         browser::download(&name, &png)?;
         Ok(format!("Downloaded {name}, {} x {} pixels", size.x, size.y))
     };

@@ -5,11 +5,12 @@ use crate::app::controls::control::AppCommand;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
+use bevy::render::renderer::RenderAdapterInfo;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
-use lightfall_picture::{HeadlessOptions, Still};
-use lightfall_platform::storage::{file_safe_name, pictures_folder};
+use lightfall_picture::{HeadlessOptions, PictureError, Still, Studio};
+use lightfall_platform::storage::{PictureRecord, file_safe_name, pictures_folder};
 use lightfall_platform::worker::Worker;
 use lightfall_render::StarCatalogue;
 use std::fs::File;
@@ -24,8 +25,9 @@ enum Order {
     /// The picture of a scene, at that scene's size, under these stars. The second scene is the one
     /// that is drawn.
     Picture(Box<[Scene; 2]>, StarCatalogue),
-    /// What the window shows, with everything that is drawn over the picture of this scene.
-    Window(Box<Scene>, Box<Image>),
+    /// What the window shows, with everything that is drawn over the picture, whose scene has this
+    /// name and whose record is given.
+    Window(String, PictureRecord, Box<Image>),
 }
 
 /// The thread that draws, encodes and writes pictures, so that no frame waits for it. It answers
@@ -79,11 +81,12 @@ fn write_window(
     captured: On<ScreenshotCaptured>,
     editor: SceneEditor,
     writer: Res<ScreenshotWriter>,
+    (stars, adapter): (Res<StarCatalogue>, Option<Res<RenderAdapterInfo>>),
 ) {
-    let (scene, image) = (editor.scene_in_window(), captured.image.clone());
-    writer
-        .0
-        .ask(Order::Window(Box::new(scene), Box::new(image)));
+    let scene = editor.scene_in_window();
+    let record = PictureRecord::new(&scene, &stars, adapter.as_deref());
+    let image = Box::new(captured.image.clone());
+    writer.0.ask(Order::Window(scene.name, record, image));
 }
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
@@ -97,23 +100,26 @@ fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
 /// # Errors
 /// The picture cannot be drawn, encoded or written; one sentence.
 fn write(order: Order, folder: &Path) -> Result<String, String> {
-    let (scene, still) = match order {
+    let (name, record, still) = match order {
         Order::Picture(scene, StarCatalogue(stars)) => {
             let [scene, drawn] = *scene;
             let options = HeadlessOptions {
                 stars,
                 ..HeadlessOptions::default()
             };
-            let still = picture::render_with(&drawn, scene.picture.size(), options);
-            (scene, still.map_err(|error| error.to_string())?)
+            let fault = |error: PictureError| error.to_string();
+            let size = scene.picture.size();
+            let mut studio = Studio::with_options(&drawn, size, options).map_err(fault)?;
+            let still = studio.picture().map_err(fault)?;
+            (scene.name.clone(), studio.record(&scene), still)
         }
-        Order::Window(scene, image) => {
+        Order::Window(name, record, image) => {
             let (size, rgb) = pixels(*image)?;
-            (*scene, Still { size, rgb })
+            (name, record, Still { size, rgb })
         }
     };
-    let file = reserve_file(folder, &scene.name)?;
-    picture::write_png(&file, &still, &scene.to_preset()).map_err(|error| {
+    let file = reserve_file(folder, &name)?;
+    picture::write_png(&file, &still, &record).map_err(|error| {
         // The file is still empty: it only reserved the name.
         std::fs::remove_file(&file).ok();
         error.to_string()

@@ -109,7 +109,7 @@ impl MachinePage {
                 gpu::kind(info.device_type),
                 info.backend
             ));
-            ui.label(format!("{} {}", info.driver, info.driver_info));
+            ui.label(gpu::driver(info));
         }
         self.choose_adapter(ui, machine, chosen);
         ui.add_space(8.0);

@@ -177,7 +177,7 @@ impl PresetsPage {
     /// Shows the scene that a file holds.
     fn load(&mut self, editor: &mut SceneEditor, file: &Path, scene: Result<Scene, String>) {
         (self.replace, self.report) = (None, String::new());
-        if editor.load("", scene) {
+        if editor.load_file(file, scene) {
             self.own = Some((file.to_owned(), editor.loaded().clone()));
             if file.parent() == presets_folder().as_deref() {
                 self.name = stem(file).into_owned();
@@ -265,7 +265,7 @@ pub(super) fn load_dropped_files(
 ) {
     for drop in drops.read() {
         if let FileDragAndDrop::DroppedFile { path_buf, .. } = drop {
-            editor.load("", read_preset(path_buf));
+            editor.load_file(path_buf, read_preset(path_buf));
         }
     }
 }
