@@ -33,25 +33,24 @@ impl HeldControls<'_, '_> {
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);
+        // A tap that begins and ends within one slow frame counts for that frame.
+        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
         // Shift flies faster, Alt slower and Ctrl down, so that a key flies with them as well, unless
         // it means another control then.
-        let modifiers = Modifier::ALL
+        let modifiers: Vec<Modifier> = Modifier::ALL
             .into_iter()
-            .filter(|modifier| modifier.keys().iter().any(|key| self.keys.pressed(*key)));
-        let modifiers: Vec<Modifier> = modifiers.collect();
+            .filter(|modifier| modifier.keys().iter().any(held))
+            .collect();
         let means_other = |code: &KeyCode| {
             let owner = |modifier: &Modifier| self.bindings.owner(*code, Some(*modifier));
             modifiers.iter().any(|modifier| owner(modifier).is_some())
         };
-        // A tap that begins and ends within one slow frame counts for that frame.
-        let held = |code: &KeyCode| {
-            (self.keys.pressed(*code) || self.keys.just_pressed(*code)) && !means_other(code)
-        };
+        let flies = |code: &KeyCode| held(code) && !means_other(code);
         let mut controls = self
             .bindings
             .iter()
             .filter(|(control, _)| holds(control.action));
-        let by_key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(held));
+        let by_key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(flies));
         if by_key {
             1.0
         } else {

@@ -179,7 +179,7 @@ fn start_paused_journey(session: &Session) -> State {
     session.wait_for("the journey", |state| state.journey.is_some());
     session.press("slash");
     for _ in 0..3 {
-        session.press("Right");
+        session.press("shift+Right");
     }
     session.wait_for("15 seconds more", |state| {
         state.journey.is_some_and(|time| time > 15.0)
