@@ -1,6 +1,7 @@
 //! What a user's hands do: keys and the mouse, by xdotool.
 
 use crate::desktop::Desktop;
+use watched::State;
 
 /// Frames within which the program has seen the pointer, and what a click leads to is shown.
 const FRAMES: u32 = 4;
@@ -21,20 +22,31 @@ impl Desktop {
         self.later(FRAMES);
     }
 
-    /// Clicks on the text that begins so, once it is there.
+    /// Clicks on the text that begins so, once it is there and stands still.
     #[track_caller]
     pub fn click(&self, text: &str) {
-        let state = self.wait_for(text, |state| state.place_of(text).is_some());
-        let place = state.place_of(text).unwrap();
-        self.click_at(place.map(|at| at as i32));
+        self.click_where(text, |state| state.place_of(text));
     }
 
-    /// Clicks into the field with this label, once it is there.
+    /// Clicks into the field with this label, once it is there and stands still.
     #[track_caller]
     pub fn click_field(&self, label: &str) {
-        let state = self.wait_for(label, |state| state.field_of(label).is_some());
-        let place = state.field_of(label).unwrap();
-        self.click_at(place.map(|at| at as i32));
+        self.click_where(label, |state| state.field_of(label));
+    }
+
+    /// Clicks at a place once it is there and stands still: a section that folds moves what is below.
+    #[track_caller]
+    fn click_where(&self, what: &str, place: impl Fn(&State) -> Option<[f32; 2]>) {
+        let mut last = None;
+        loop {
+            let now = place(&self.wait_for(what, |state| place(state).is_some()));
+            if now == last {
+                break;
+            }
+            last = now;
+            self.later(FRAMES);
+        }
+        self.click_at(last.unwrap().map(|at| at as i32));
     }
 
     /// Clicks, and does not wait for the program.
