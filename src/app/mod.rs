@@ -46,6 +46,7 @@ pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::SettingsFault;
 pub use state::toast::reading_time;
+pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
 
@@ -239,7 +240,7 @@ pub fn program(start: Start) -> App {
             motion::disk_clock::plugin,
         ))
         .add_plugins((
-            ui::theme::plugin,
+            (ui::theme::plugin, ui::glyphs::plugin),
             ui::dock::plugin,
             ui::hud::plugin,
             ui::legend::plugin,

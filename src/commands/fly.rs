@@ -2,6 +2,7 @@
 
 use super::cli::FlyArgs;
 use super::console::close_own_console;
+use super::glyphs::note_lacking;
 use super::output::print;
 use super::scene::{drawable, journey, note_missing_stars, scene, stars};
 use super::stop::Stop;
@@ -41,6 +42,17 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     let message = note_missing_stars(&args.scene, &scene, stars);
     if let Err(reason) = display {
         return draw_instead(scene, stars, &journey, journey_file, &reason);
+    }
+    if let Some(preset) = &args.scene.preset {
+        note_lacking(preset.display(), [&scene.name, &scene.title]);
+    }
+    if let Some(file) = journey_file {
+        let captions = journey.captions.iter().map(|caption| &caption.text);
+        note_lacking(file.display(), captions.chain([&journey.title]));
+    }
+    if let Some(file) = &args.scene.stars {
+        let names = stars.names().iter().map(|star| &star.name);
+        note_lacking(format_args!("--stars {}", file.display()), names);
     }
     close_own_console();
     let start = Start::new(drawable, journey);

@@ -11,6 +11,7 @@ mod console;
 pub mod doctor;
 mod extremes;
 mod fly;
+mod glyphs;
 mod kept_rows;
 mod output;
 mod presets;

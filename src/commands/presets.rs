@@ -1,6 +1,7 @@
 //! `lightfall presets`: lists, shows and checks presets.
 
 use super::cli::{PresetsCommand, assignments};
+use super::glyphs::note_lacking;
 use super::output::print_to;
 use super::stop::Stop;
 use super::unused::idle_fields;
@@ -61,6 +62,7 @@ fn check(file: &Path) -> Result<String, Stop> {
     for idle in idle_fields(file, &scene) {
         say(format_args!("lightfall: {}: {idle}", file.display()));
     }
+    note_lacking(file.display(), [&scene.name, &scene.title]);
     match GpuScene::for_rays(&scene) {
         // A preset for the reference is useful, too: `trace --device cpu` runs it.
         Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{}: ok\n", file.display())),

@@ -3,6 +3,7 @@
 pub(crate) mod compass;
 pub(crate) mod dock;
 pub(crate) mod end_card;
+pub(crate) mod glyphs;
 pub(crate) mod guides;
 pub(crate) mod help;
 pub(crate) mod hud;

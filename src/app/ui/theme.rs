@@ -98,14 +98,15 @@ fn apply_theme(
 
 /// Lays out every usual letter in the sizes of the texts over the picture. Otherwise a letter would be
 /// missing in its first frame, because its image reaches the adapter one frame late.
-fn prepare_letters(mut contexts: EguiContexts, mut prepared: Local<[f32; 2]>) -> Result {
+fn prepare_letters(mut contexts: EguiContexts, mut prepared: Local<[(f32, usize); 2]>) -> Result {
     let context = contexts.ctx_mut()?;
     // New fonts and a new scale clear the cache of letters in the next frame.
     let scale = context.pixels_per_point();
-    if *prepared == [scale; 2] {
+    let fonts = context.fonts(|fonts| fonts.definitions().font_data.len());
+    if *prepared == [(scale, fonts); 2] {
         return Ok(());
     }
-    *prepared = [prepared[1], scale];
+    *prepared = [prepared[1], (scale, fonts)];
     let letters: String = (' '..='~').chain("·–−×°…".chars()).collect();
     context.fonts_mut(|fonts| {
         for size in LETTER_SIZES {

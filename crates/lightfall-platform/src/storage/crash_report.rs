@@ -5,9 +5,10 @@ use super::files::{create_parent_folder, write_atomically};
 use super::folders::reports_folders;
 use lightfall_core::scene::Scene;
 use std::backtrace::Backtrace;
+use std::cell::Cell;
 use std::collections::VecDeque;
 use std::fmt::Write;
-use std::panic::{PanicHookInfo, set_hook, take_hook};
+use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -61,6 +62,9 @@ pub fn report_panics(tell: fn(&str)) {
     static IS_FIRST: AtomicBool = AtomicBool::new(true);
     let usual = take_hook();
     set_hook(Box::new(move |panic| {
+        if EXPECTS_PANIC.get() {
+            return;
+        }
         usual(panic);
         if IS_FIRST.swap(false, Ordering::Relaxed) {
             let message = panic.payload_as_str().unwrap_or_default();
@@ -77,6 +81,20 @@ pub fn report_panics(tell: fn(&str)) {
             tell(&sentence);
         }
     }));
+}
+
+thread_local! {
+    /// Whether a panic of this thread is answered by [`unless_it_panics`].
+    static EXPECTS_PANIC: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs code of others that may panic for reasons of the system. A panic is neither reported nor said,
+/// and gives `None`.
+pub fn unless_it_panics<T>(run: impl FnOnce() -> T) -> Option<T> {
+    EXPECTS_PANIC.set(true);
+    let result = catch_unwind(AssertUnwindSafe(run)).ok();
+    EXPECTS_PANIC.set(false);
+    result
 }
 
 /// The report's text.
