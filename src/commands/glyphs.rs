@@ -5,6 +5,9 @@ use lightfall_platform::fonts::{SystemFonts, is_right_to_left, missing_sentence}
 use lightfall_platform::log::say;
 use std::fmt::Display;
 
+/// Largest number of characters that a sentence lists.
+const MAX_LISTED: usize = 8;
+
 /// Says which characters of these texts no font has, and which order of words is wrong. `origin`
 /// names their file.
 pub(super) fn note_lacking<'a>(origin: impl Display, texts: impl IntoIterator<Item = &'a String>) {
@@ -14,7 +17,7 @@ pub(super) fn note_lacking<'a>(origin: impl Display, texts: impl IntoIterator<It
         return;
     }
     let missing = SystemFonts::open().find(&lacking).missing;
-    if let Some(sentence) = missing_sentence(&missing, written) {
+    if let Some(sentence) = missing_sentence(&missing, MAX_LISTED, written) {
         say(format_args!("lightfall: {origin}: {sentence}"));
     }
     let is_disordered = |text: &&&str| {

@@ -23,7 +23,12 @@ mod edge_view;
 mod failures;
 mod file_names;
 mod flights;
+#[cfg(target_os = "linux")]
+#[path = "../../crates/lightfall-window-tests/tests/window/font_folder.rs"]
+mod font_folder;
 mod gamepad;
+#[cfg(target_os = "linux")]
+mod glyphs;
 mod history;
 mod key_labels;
 mod keys;

@@ -14,7 +14,7 @@ pub fn program(folder: &Path, line: &str, input: &str) -> (i32, String, String) 
 }
 
 /// The same with these variables of the environment.
-fn program_with(
+pub fn program_with(
     variables: &[(&str, &Path)],
     folder: &Path,
     line: &str,

@@ -14,6 +14,9 @@ use lightfall_platform::worker::Worker;
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::HashSet;
 
+/// Largest number of characters that the toast lists: it has room for two lines below a caption.
+const MAX_LISTED: usize = 2;
+
 /// The characters that were drawn, and the thread that finds fonts for those that egui's lack.
 #[derive(Resource, Default)]
 struct Glyphs {
@@ -120,7 +123,8 @@ fn add_found_fonts(
         is_news |= glyphs.named.insert(script_name(*character));
     }
     let number = |character| format!("U+{:04X}", u32::from(character));
-    if let Some(sentence) = missing_sentence(&found.missing, number).filter(|_| is_news) {
+    if let Some(sentence) = missing_sentence(&found.missing, MAX_LISTED, number).filter(|_| is_news)
+    {
         toast.add(&format!("Boxes stand for letters: {sentence}"));
     }
     Ok(())

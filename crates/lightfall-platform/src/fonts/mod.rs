@@ -15,9 +15,6 @@ pub use installed::SystemFonts;
 use crate::IN_BROWSER;
 use script::Script;
 
-/// Largest number of characters that a sentence lists.
-const MAX_LISTED: usize = 8;
-
 /// A font of the system.
 #[derive(Clone)]
 pub struct SystemFont {
@@ -46,17 +43,21 @@ pub fn script_name(character: char) -> &'static str {
     Script::of(character).map_or("", |script| script.name)
 }
 
-/// Says that no font has these characters, and what to install. `written` writes a character.
-/// None if there are none.
+/// Says that no font has these characters, and what to install. It lists at most `max` of them, and
+/// `written` writes one. None if there are none.
 #[must_use]
-pub fn missing_sentence(missing: &[char], written: fn(char) -> String) -> Option<String> {
+pub fn missing_sentence(
+    missing: &[char],
+    max: usize,
+    written: fn(char) -> String,
+) -> Option<String> {
     let [_, others @ ..] = missing else {
         return None;
     };
-    let shown = missing.iter().take(MAX_LISTED);
+    let shown = missing.iter().take(max);
     let mut listed = shown.map(|c| written(*c)).collect::<Vec<_>>().join(" ");
-    if missing.len() > MAX_LISTED {
-        listed += &format!(" and {} more", missing.len() - MAX_LISTED);
+    if missing.len() > max {
+        listed += &format!(" and {} more", missing.len() - max);
     }
     let characters = if others.is_empty() {
         "character"
@@ -82,7 +83,7 @@ pub fn missing_sentence(missing: &[char], written: fn(char) -> String) -> Option
     } else {
         format!(
             "install one for {} text, for example {}",
-            names.join(" and "),
+            names.join(", "),
             examples.join(" and ")
         )
     };
