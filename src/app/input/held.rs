@@ -3,15 +3,21 @@
 use super::gamepad::Pads;
 use super::typing::Typing;
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::{Action, FlightInput, Modifier};
+use crate::app::controls::control::{Action, FlightInput};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
+
+/// The keys that were pressed with a modifier with which they mean a control. They do not fly until
+/// they are pressed again, even if the modifier is let go first.
+#[derive(Resource, Default)]
+pub(super) struct ClaimedKeys(pub(super) Vec<KeyCode>);
 
 /// The controls that are held down.
 #[derive(SystemParam)]
 pub(crate) struct HeldControls<'w, 's> {
     keys: Res<'w, ButtonInput<KeyCode>>,
     bindings: Res<'w, Bindings>,
+    claimed: Res<'w, ClaimedKeys>,
     pub(crate) typing: Res<'w, Typing>,
     pub(crate) pads: Pads<'w, 's>,
 }
@@ -33,19 +39,10 @@ impl HeldControls<'_, '_> {
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);
+        // Modifiers are not asked for: Shift flies faster, Alt slower and Ctrl down.
         // A tap that begins and ends within one slow frame counts for that frame.
         let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
-        // Shift flies faster, Alt slower and Ctrl down, so that a key flies with them as well, unless
-        // it means another control then.
-        let modifiers: Vec<Modifier> = Modifier::ALL
-            .into_iter()
-            .filter(|modifier| modifier.keys().iter().any(held))
-            .collect();
-        let means_other = |code: &KeyCode| {
-            let owner = |modifier: &Modifier| self.bindings.owner(*code, Some(*modifier));
-            modifiers.iter().any(|modifier| owner(modifier).is_some())
-        };
-        let flies = |code: &KeyCode| held(code) && !means_other(code);
+        let flies = |code: &KeyCode| held(code) && !self.claimed.0.contains(code);
         let mut controls = self
             .bindings
             .iter()

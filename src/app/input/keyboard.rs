@@ -1,6 +1,7 @@
 //! From pressed keys and buttons to the controls that they are bound to.
 
 use super::gamepad::Pads;
+use super::held::ClaimedKeys;
 use super::typing::{MouseOverPanel, Typing};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
@@ -14,6 +15,7 @@ use bevy::prelude::*;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_message::<AppCommand>()
+        .init_resource::<ClaimedKeys>()
         .add_systems(
             PreUpdate,
             apply_pressed_controls.after(bevy::input::InputSystems),
@@ -27,12 +29,20 @@ pub(super) fn apply_pressed_controls(
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     (typing, over_panel): (Res<Typing>, Res<MouseOverPanel>),
+    mut claimed: ResMut<ClaimedKeys>,
     pads: Pads,
     mut editor: SceneEditor,
     mut commands: MessageWriter<AppCommand>,
 ) {
     let listens = !typing.0 && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
     let presses = pressed_with_modifiers(inputs.read(), &keys);
+    claimed.0.retain(|code| keys.pressed(*code));
+    let claims = |(code, modifier): &&(KeyCode, Option<Modifier>)| {
+        modifier.is_some() && bindings.owner(*code, *modifier).is_some()
+    };
+    claimed
+        .0
+        .extend(presses.iter().filter(claims).map(|(code, _)| *code));
     let kept = |(code, modifier): &(KeyCode, Option<Modifier>)| {
         over_panel.keeps(*code) && modifier.is_none()
     };

@@ -88,9 +88,11 @@ fn every_key_of_the_table_changes_what_its_row_says_and_leads_to_its_message_wit
             session.answers.borrow_mut().clear();
             check(&mut session, &key, effect);
             // What leaves the program says nothing more. A screenshot of the window would show its own
-            // message, which comes when it is written; its script waits for that.
-            let is_prompt = !["window.quit", "window.screenshot_of_window"].contains(id);
-            if is_prompt && !says(control, &session.answers.borrow()[&key]) {
+            // message, which comes when it is written; its script waits for that. Looking around turns
+            // the whole picture, and no read-out has the direction.
+            let speaks = !["window.quit", "window.screenshot_of_window"].contains(id)
+                && !id.starts_with("fly.look_");
+            if speaks && !says(control, &session.answers.borrow()[&key]) {
                 silent.push(format!("{id}: {key}"));
             }
         }
