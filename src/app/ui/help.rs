@@ -1,12 +1,13 @@
 //! The help: a list of every control, made from the table of controls.
 
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-use crate::app::controls::control::Control;
 use crate::app::controls::control::Group::{self, Flight, Light, Picture, Scene, View, Window};
+use crate::app::controls::control::{Control, Modifier};
 use crate::app::input::gamepad::Pads;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use std::iter;
 
 /// What the mouse does. The control table holds keys only.
 const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"]];
@@ -78,9 +79,22 @@ fn rows<B: Bindable>(
         let names = row.iter().map(|control| bindings.label_of(control));
         let names: Vec<_> = names.filter(|name| !name.is_empty()).collect();
         let is_digit = |name: &String| name.len() == 1 && name.parse::<u8>().is_ok();
-        let inputs = match names.as_slice() {
+        let words: Vec<&str> = names.iter().map(String::as_str).collect();
+        let inputs = match words.as_slice() {
             [first, _, .., last] if names.iter().all(is_digit) => format!("{first} to {last}"),
-            _ => names.join(" "),
+            ["Left", "Right", "Up", "Down"] => "arrow keys".to_owned(),
+            // The modifier is named once.
+            [first, others @ ..] => {
+                let prefix = B::modifier(row[0]).map_or("", Modifier::prefix);
+                let short = others
+                    .iter()
+                    .map(|name| name.strip_prefix(prefix).unwrap_or(name));
+                iter::once(*first)
+                    .chain(short)
+                    .collect::<Vec<_>>()
+                    .join(" ")
+            }
+            [] => String::new(),
         };
         [inputs, row[0].description.to_owned()]
     })
