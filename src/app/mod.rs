@@ -206,7 +206,7 @@ pub fn program(start: Start) -> App {
             state::shown_picture::plugin,
         ))
         .add_plugins((
-            input::typing::plugin,
+            (input::typing::plugin, input::clicks::plugin),
             input::key_modifiers::plugin,
             input::pointer::plugin,
             input::keyboard::plugin,

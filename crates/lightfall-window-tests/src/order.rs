@@ -10,6 +10,8 @@ pub enum Order {
     /// Let so many seconds pass in every frame, however long it takes: how far a held key moves the
     /// camera then depends on the number of frames alone.
     Step(f64),
+    /// Let every frame take at least so many seconds.
+    Slow(f64),
     /// Destroy the graphics device.
     LoseDevice,
     /// Connect a gamepad, or disconnect it.

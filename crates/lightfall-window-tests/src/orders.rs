@@ -24,6 +24,10 @@ pub struct Orders {
     pub count: u32,
 }
 
+/// The least time that a frame takes, in seconds.
+#[derive(Resource, Default)]
+struct FrameSeconds(f64);
+
 pub fn plugin(app: &mut App) {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
@@ -35,8 +39,10 @@ pub fn plugin(app: &mut App) {
     });
     app.insert_resource(Lines(Mutex::new(receiver)))
         .init_resource::<Orders>()
+        .init_resource::<FrameSeconds>()
         .add_systems(First, receive_orders)
-        .add_systems(Update, show_scene);
+        .add_systems(Update, show_scene)
+        .add_systems(Last, slow_down);
 }
 
 fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: Commands) {
@@ -52,6 +58,15 @@ fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: C
             commands.insert_resource(TimeUpdateStrategy::ManualDuration(step));
         }
     }
+}
+
+fn slow_down(orders: Res<Orders>, mut frame: ResMut<FrameSeconds>) {
+    for order in &orders.new {
+        if let Order::Slow(seconds) = order {
+            frame.0 = *seconds;
+        }
+    }
+    std::thread::sleep(Duration::from_secs_f64(frame.0));
 }
 
 fn show_scene(orders: Res<Orders>, mut scene: ResMut<CurrentScene>, mut clock: ResMut<DiskClock>) {

@@ -47,7 +47,7 @@ impl HeldControls<'_, '_> {
             .bindings
             .iter()
             .filter(|(control, _)| holds(control.action));
-        let by_key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(flies));
+        let by_key = !self.typing.is_on() && controls.any(|(_, codes)| codes.iter().any(flies));
         if by_key {
             1.0
         } else {

@@ -37,13 +37,7 @@ pub(crate) fn give_keys_their_modifiers(
         let events = &mut input.events;
         let mut next = 0;
         for (message, modifiers) in &pressed {
-            let key = bevy_to_egui_key(&message.logical_key)
-                .or_else(|| bevy_to_egui_physical_key(&message.key_code));
-            let found = events.iter().skip(next).position(|event| {
-                matches!(event, egui::Event::Key { key: of, pressed, .. }
-                    if Some(*of) == key && *pressed == message.state.is_pressed())
-            });
-            let Some(mut place) = found.map(|found| next + found) else {
+            let Some(mut place) = place_of_key(events, next, message) else {
                 continue;
             };
             if let egui::Event::Key { modifiers: of, .. } = &mut events[place] {
@@ -65,6 +59,21 @@ pub(crate) fn give_keys_their_modifiers(
             next = place + 1;
         }
     }
+}
+
+/// The place of a key's event among those from the place `first` on.
+pub(super) fn place_of_key(
+    events: &[egui::Event],
+    first: usize,
+    message: &KeyboardInput,
+) -> Option<usize> {
+    let key = bevy_to_egui_key(&message.logical_key)
+        .or_else(|| bevy_to_egui_physical_key(&message.key_code));
+    let found = events.iter().skip(first).position(|event| {
+        matches!(event, egui::Event::Key { key: of, pressed, .. }
+            if Some(*of) == key && *pressed == message.state.is_pressed())
+    });
+    found.map(|found| first + found)
 }
 
 /// Holds a modifier, or lets it go.

@@ -1,5 +1,6 @@
 //! From pressed keys and buttons to the controls that they are bound to.
 
+use super::clicks::hold_keys_after_click;
 use super::gamepad::Pads;
 use super::held::ClaimedKeys;
 use super::typing::{MouseOverPanel, Typing};
@@ -18,12 +19,13 @@ pub(crate) fn plugin(app: &mut App) {
         .init_resource::<ClaimedKeys>()
         .add_systems(
             PreUpdate,
-            apply_pressed_controls.after(bevy::input::InputSystems),
+            apply_pressed_controls.after(hold_keys_after_click),
         )
         .add_systems(Update, undo_last_change);
 }
 
-/// Applies each press in its order. Two presses within one slow frame are two.
+/// Applies each press in its order. Two presses within one slow frame are two. Those after a click on
+/// the user interface wait for the next frame, which knows whether a text field has the keyboard.
 pub(super) fn apply_pressed_controls(
     mut inputs: MessageReader<KeyboardInput>,
     keys: Res<ButtonInput<KeyCode>>,
@@ -33,16 +35,25 @@ pub(super) fn apply_pressed_controls(
     pads: Pads,
     mut editor: SceneEditor,
     mut commands: MessageWriter<AppCommand>,
+    mut waiting: Local<Vec<(KeyCode, Option<Modifier>)>>,
 ) {
-    let listens = !typing.0 && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
-    let presses = pressed_with_modifiers(inputs.read(), &keys);
+    let listens = !typing.has_keyboard && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
+    let inputs: Vec<&KeyboardInput> = inputs.read().collect();
+    let new = pressed_with_modifiers(inputs.iter().copied(), &keys);
     claimed.0.retain(|code| keys.pressed(*code));
     let claims = |(code, modifier): &&(KeyCode, Option<Modifier>)| {
         modifier.is_some() && bindings.owner(*code, *modifier).is_some()
     };
     claimed
         .0
-        .extend(presses.iter().filter(claims).map(|(code, _)| *code));
+        .extend(new.iter().filter(claims).map(|(code, _)| *code));
+    let at_once = typing.keys_before_click.map_or(new.len(), |before| {
+        let before = inputs.iter().take(before);
+        before.filter(|input| is_press(input)).count()
+    });
+    let mut presses = std::mem::take(&mut *waiting);
+    presses.extend(&new[..at_once]);
+    waiting.extend(&new[at_once..]);
     let kept = |(code, modifier): &(KeyCode, Option<Modifier>)| {
         over_panel.keeps(*code) && modifier.is_none()
     };
@@ -69,6 +80,11 @@ pub(super) fn apply_pressed_controls(
 /// Whether one of the keys was held at any time of the frame.
 fn held(keys: &ButtonInput<KeyCode>, codes: [KeyCode; 2]) -> bool {
     keys.any_pressed(codes) || keys.any_just_pressed(codes)
+}
+
+/// Whether a message says that a key went down.
+fn is_press(input: &KeyboardInput) -> bool {
+    input.state.is_pressed() && !input.repeat
 }
 
 /// The keys pressed in this frame, each with the modifier that was held at that moment. In a slow

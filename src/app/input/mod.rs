@@ -1,5 +1,6 @@
 //! Keyboard, gamepads and mouse: what is pressed, and whom it belongs to.
 
+pub(crate) mod clicks;
 pub(crate) mod gamepad;
 pub(crate) mod held;
 pub(crate) mod key_modifiers;

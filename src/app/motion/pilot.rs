@@ -205,7 +205,7 @@ impl Hand {
             held.axis(FlightInput::LookUp, FlightInput::LookDown),
         );
         let up = DVec2::new(1.0, if settings.invert_y { -1.0 } else { 1.0 });
-        let mouse = if !held.typing.0 && looks(pilot, buttons) {
+        let mouse = if !held.typing.is_on() && looks(pilot, buttons) {
             motion * DVec2::new(1.0, -1.0) * settings.mouse_sensitivity
         } else {
             DVec2::ZERO

@@ -112,7 +112,7 @@ fn watch_activity(
     let held = keys.get_pressed().next().is_some()
         || buttons.get_pressed().next().is_some()
         || pads.in_use();
-    if pacing.changed == Some(now) || held || typing.0 || moves.read().next().is_some() {
+    if pacing.changed == Some(now) || held || typing.is_on() || moves.read().next().is_some() {
         pacing.active = now;
     }
     let lately = |at: Option<Duration>| at.is_some_and(|at| now.saturating_sub(at) < MOVING_FOR);

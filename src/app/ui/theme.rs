@@ -87,6 +87,8 @@ fn apply_theme(
             style.spacing.interact_size.y = 22.0;
             style.interaction.tooltip_delay = 0.35;
         });
+        // In slow frames even a short click takes long.
+        context.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
     }
     let wanted = preferences.settings.ui_scale;
     if *scale != wanted {

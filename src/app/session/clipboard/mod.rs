@@ -10,7 +10,7 @@ pub(crate) use browser::Clipboard;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use desktop::Clipboard;
 
-use crate::app::input::key_modifiers::give_keys_their_modifiers;
+use crate::app::input::clicks::hold_keys_after_click;
 use crate::app::input::typing::Typing;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
@@ -23,8 +23,7 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(
             PreUpdate,
             serve_text_fields
-                .after(EguiPreUpdateSet::ProcessInput)
-                .after(give_keys_their_modifiers)
+                .after(hold_keys_after_click)
                 .before(EguiPreUpdateSet::BeginPass),
         )
         .add_systems(
@@ -73,7 +72,7 @@ fn serve_text_fields(
     let answer = clipboard.next_text();
     let pasted = answer.and_then(|text| text.map_err(|fault| toast.say(fault)).ok());
     // A text that comes after its field was left is dropped.
-    if !typing.0 {
+    if !typing.is_on() {
         return;
     }
     for mut input in &mut inputs {

@@ -53,7 +53,7 @@ fn watch_use(
         *tried = Tried::default();
         preferences.settings.key_hints = true;
     }
-    if !preferences.settings.key_hints || typing.0 {
+    if !preferences.settings.key_hints || typing.is_on() {
         return;
     }
     let used = bindings
