@@ -61,7 +61,12 @@ pub(super) fn report(message: &str) {
     if StandardError::at_start().is_read() {
         return;
     }
-    let message = message.to_owned();
+    show_box(message.to_owned());
+}
+
+/// Shows a message box until the user closes it.
+#[cfg(windows)]
+fn show_box(message: String) {
     // On a thread of its own, because a message box runs the window's code until it is closed, and
     // after a panic that code must not run again.
     let shown = std::thread::spawn(move || {
@@ -74,6 +79,10 @@ pub(super) fn report(message: &str) {
     // If there is no box either, nothing is left to say it with.
     shown.join().ok();
 }
+
+/// Standard error is missing on Windows only.
+#[cfg(not(windows))]
+fn show_box(_: String) {}
 
 /// Where standard error leads.
 #[cfg(windows)]

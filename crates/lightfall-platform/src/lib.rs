@@ -7,12 +7,15 @@
 //! 4. [`log`]: what is logged.
 //! 5. [`memory`]: how much memory is free.
 //! 6. [`fonts`]: fonts of the system.
+//! 7. `file_dialog`: the desktop's file dialog, where there is a desktop.
 
 /// Whether the program runs in a browser.
 pub const IN_BROWSER: bool = cfg!(target_arch = "wasm32");
 
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod file_dialog;
 pub mod fonts;
 pub mod log;
 pub mod memory;

@@ -19,7 +19,7 @@ pub fn say(line: impl Display) {
 /// A log of warnings and errors on standard error. RUST_LOG can change the level.
 pub fn quiet_log() -> LogPlugin {
     LogPlugin {
-        filter: "error,lightfall=warn,rfd=off".into(),
+        filter: "error,lightfall=warn".into(),
         level: bevy::log::Level::WARN,
         custom_layer: |_| Some(Box::new(LogNotes)),
         ..default()

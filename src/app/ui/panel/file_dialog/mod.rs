@@ -19,9 +19,9 @@ pub(super) enum Picked {
     /// The user chose this file, which holds this scene, or why it holds none. A browser says only the
     /// file's name.
     File(PathBuf, Box<Result<Scene, String>>),
-    /// The user chose none.
+    /// The user cancelled the dialog.
     Nothing,
-    /// There is no file dialog.
+    /// There is no file dialog, or it gave no answer.
     NoDialog,
 }
 
