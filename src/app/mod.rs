@@ -4,7 +4,7 @@
 //!
 //! 1. `controls`: what keys and buttons mean, and what they are bound to.
 //! 2. `state`: what the program remembers, and the door through which the scene is changed.
-//! 3. `input`: keyboard, gamepads and mouse.
+//! 3. `input`: keyboard, gamepads, mouse and fingers.
 //! 4. `session`: the window, the frame rate, resolution, exposure, screenshots, the clipboard.
 //! 5. `motion`: what moves the camera and the disk.
 //! 6. `ui`: what is drawn over the picture.
@@ -26,6 +26,7 @@ pub use controls::sections::{SECTIONS, Shown};
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
+pub use input::gestures::{Gesture, Gestures};
 pub use motion::disk_clock::{disk_rate_words, stepped_rate};
 pub use motion::edge_view::{edge_distance, edge_in_view};
 pub use motion::facing::{Aim, aimed, between_axes, next_aim};
@@ -212,6 +213,7 @@ pub fn program(start: Start) -> App {
             input::keyboard::plugin,
             input::layout::plugin,
             input::gamepad::plugin,
+            input::touch::plugin,
         ))
         .add_plugins((
             session::window::plugin,
@@ -253,6 +255,7 @@ pub fn program(start: Start) -> App {
             ui::photo_mode::plugin,
             ui::notice::plugin,
             ui::compass::plugin,
+            ui::touch_bar::plugin,
         ));
     #[cfg(target_arch = "wasm32")]
     app.add_plugins((session::page::plugin, session::link::plugin));

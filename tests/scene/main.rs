@@ -21,12 +21,15 @@ mod disk_clock;
 mod doctor;
 mod edge_view;
 mod failures;
+#[cfg(target_os = "linux")]
+mod file_dialog;
 mod file_names;
 mod flights;
 #[cfg(target_os = "linux")]
 #[path = "../../crates/lightfall-window-tests/tests/window/font_folder.rs"]
 mod font_folder;
 mod gamepad;
+mod gestures;
 #[cfg(target_os = "linux")]
 mod glyphs;
 mod history;
@@ -38,6 +41,8 @@ mod light;
 mod menu;
 mod never_lost;
 mod panel;
+#[cfg(target_os = "linux")]
+mod portal;
 mod program;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;

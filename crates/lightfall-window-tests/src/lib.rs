@@ -4,7 +4,7 @@
 mod order;
 mod state;
 
-pub use order::{Order, Pad};
+pub use order::{Order, Pad, Stroke};
 pub use state::{Answer, Place, State, Text, fields_of};
 
 /// The variable that names the file for the state. Without it the program is not watched.

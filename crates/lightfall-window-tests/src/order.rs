@@ -16,10 +16,21 @@ pub enum Order {
     LoseDevice,
     /// Connect a gamepad, or disconnect it.
     Connect(bool),
+    /// Let the finger with this number do this at a place of the window, in points.
+    Touch(u64, Stroke, [f32; 2]),
     /// Push a part of the gamepad this far.
     Push(Pad, f32),
     /// Keep the window's picture, and compare the frames after the key for more light with it.
     KeepPicture,
+}
+
+/// What a finger does.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Stroke {
+    Down,
+    Move,
+    Up,
 }
 
 /// A part of the gamepad.

@@ -1,7 +1,9 @@
 //! Obeys the orders that arrive on standard input.
 
+use bevy::input::touch::{TouchInput, TouchPhase};
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
+use bevy::window::PrimaryWindow;
 use lightfall::app::DiskClock;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::load;
@@ -9,7 +11,7 @@ use lightfall_render::CurrentScene;
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
-use watched::Order;
+use watched::{Order, Stroke};
 
 /// The lines that have arrived.
 #[derive(Resource)]
@@ -40,7 +42,7 @@ pub fn plugin(app: &mut App) {
     app.insert_resource(Lines(Mutex::new(receiver)))
         .init_resource::<Orders>()
         .init_resource::<FrameSeconds>()
-        .add_systems(First, receive_orders)
+        .add_systems(First, (receive_orders, touch).chain())
         .add_systems(Update, show_scene)
         .add_systems(Last, slow_down);
 }
@@ -67,6 +69,28 @@ fn slow_down(orders: Res<Orders>, mut frame: ResMut<FrameSeconds>) {
         }
     }
     std::thread::sleep(Duration::from_secs_f64(frame.0));
+}
+
+fn touch(
+    orders: Res<Orders>,
+    window: Single<Entity, With<PrimaryWindow>>,
+    mut touches: MessageWriter<TouchInput>,
+) {
+    for order in &orders.new {
+        if let Order::Touch(id, stroke, place) = *order {
+            touches.write(TouchInput {
+                phase: match stroke {
+                    Stroke::Down => TouchPhase::Started,
+                    Stroke::Move => TouchPhase::Moved,
+                    Stroke::Up => TouchPhase::Ended,
+                },
+                position: place.into(),
+                window: *window,
+                force: None,
+                id,
+            });
+        }
+    }
 }
 
 fn show_scene(orders: Res<Orders>, mut scene: ResMut<CurrentScene>, mut clock: ResMut<DiskClock>) {

@@ -1,10 +1,12 @@
-//! Keyboard, gamepads and mouse: what is pressed, and whom it belongs to.
+//! Keyboard, gamepads, mouse and fingers: what is pressed, and whom it belongs to.
 
 pub(crate) mod clicks;
 pub(crate) mod gamepad;
+pub(crate) mod gestures;
 pub(crate) mod held;
 pub(crate) mod key_modifiers;
 pub(crate) mod keyboard;
 pub(crate) mod layout;
 pub(crate) mod pointer;
+pub(crate) mod touch;
 pub(crate) mod typing;

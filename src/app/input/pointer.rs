@@ -7,7 +7,7 @@ use bevy_egui::{EguiContexts, egui};
 
 /// Whether the mouse is over the picture, and not over the user interface.
 #[derive(Resource, Default)]
-pub(crate) struct PointerOverPicture(bool);
+pub(crate) struct PointerOverPicture(pub(crate) bool);
 
 /// A run condition: the mouse is over the picture. Systems that use it run after
 /// [`locate_pointer`].
@@ -32,11 +32,16 @@ pub(crate) fn locate_pointer(
         over.0 = true;
         return;
     };
-    let [x, y] = (mouse / context.zoom_factor()).to_array();
+    over.0 = is_on_picture(context, &overlays, mouse) && !context.egui_is_using_pointer();
+}
+
+/// Whether a place of the window, in Bevy's logical pixels, shows the picture and no user interface.
+pub(super) fn is_on_picture(context: &egui::Context, overlays: &Overlays, place: Vec2) -> bool {
+    let [x, y] = (place / context.zoom_factor()).to_array();
     let on_panel =
         x < overlays.left_width() || context.content_rect().right() - x < overlays.right_width();
     let on_area = context
         .layer_id_at(egui::pos2(x, y))
         .is_some_and(|layer| layer.order != egui::Order::Background);
-    over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
+    !(on_panel || on_area)
 }

@@ -1,4 +1,4 @@
-//! Flying by hand: keys, mouse and gamepad move and turn the camera, freely or around the hole.
+//! Flying by hand: keys, mouse, gamepad and fingers move and turn the camera, freely or around the hole.
 
 use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
@@ -8,6 +8,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
+use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
@@ -19,6 +20,7 @@ use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_platform::IN_BROWSER;
+use std::f64::consts::PI;
 
 /// The state of the mouse's controls.
 #[derive(Resource)]
@@ -55,6 +57,12 @@ const ORBIT_TURN: f64 = 0.005;
 const ORBIT_SPEED: f64 = 0.7;
 /// Seconds of flight by which one notch of the wheel moves the orbit camera in or out.
 const ORBIT_NOTCH_SECONDS: f64 = 0.25;
+/// Way of the orbit camera around the hole, in radians, by a finger that is dragged over the whole
+/// height of the window.
+const ORBIT_DRAG: f64 = PI;
+/// Seconds of flight by which two fingers that are spread by a factor of e move the orbit camera in:
+/// its distance then shrinks by about that factor.
+const ORBIT_SPREAD_SECONDS: f64 = 2.5;
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Pilot {
@@ -75,7 +83,7 @@ pub(crate) fn plugin(app: &mut App) {
                 .after(locate_pointer)
                 .run_if(pointer_over_picture),
             grab_mouse,
-            steer_camera,
+            steer_camera.after(read_fingers),
             turn_camera,
             announce_crossing,
         )
@@ -180,6 +188,11 @@ struct Hand {
     /// Turn to the right and up by sticks and keys, and motion of the mouse in pixels, up being positive.
     stick: DVec2,
     mouse: DVec2,
+    /// Way of a dragging finger to the right and up, as a share of the window's height; power of e by
+    /// which two fingers are spread, and their clockwise turn in radians.
+    finger: DVec2,
+    spread: f64,
+    turn: f64,
     roll: f64,
     /// Factor of the speed by the keys.
     gear: f64,
@@ -192,6 +205,7 @@ impl Hand {
         pilot: &Pilot,
         buttons: &ButtonInput<MouseButton>,
         motion: DVec2,
+        fingers: &Fingers,
     ) -> Self {
         let settings = &preferences.settings;
         let (left, right) = (held.pads.left_stick(), held.pads.right_stick());
@@ -214,6 +228,9 @@ impl Hand {
             thrust: thrust.clamp_length_max(1.0),
             stick: right * up + arrows,
             mouse: mouse * up,
+            finger: fingers.drag,
+            spread: fingers.spread,
+            turn: fingers.turn,
             roll: held.axis(FlightInput::RollRight, FlightInput::RollLeft),
             gear: GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
         }
@@ -221,9 +238,10 @@ impl Hand {
 
     /// The steering in free flight. `None` if there is no input.
     fn steering(&self, scene: &Scene, throttle: f64, seconds: f64) -> Option<Steering> {
-        // Right and up, as shares of the field of view.
-        let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds;
-        let roll = self.roll * ROLL_SPEED * seconds;
+        // Right and up, as shares of the field of view. The picture follows fingers, so the camera turns
+        // the other way.
+        let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds - self.finger;
+        let roll = self.roll * ROLL_SPEED * seconds - self.turn;
         let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;
         let turn = (look * 2.0 * half_height).extend(roll);
         (self.thrust != DVec3::ZERO || turn != DVec3::ZERO).then_some(Steering {
@@ -234,12 +252,14 @@ impl Hand {
         })
     }
 
-    /// The step of the orbit camera, or `None` without input. The mouse drags the picture, so the
-    /// camera goes the other way.
+    /// The step of the orbit camera, or `None` without input. The mouse and a finger drag the picture,
+    /// so the camera goes the other way.
     fn orbit_step(&self, notches: f64, seconds: f64) -> Option<OrbitStep> {
         let keys = self.thrust.truncate() + self.stick;
-        let around = keys * ORBIT_SPEED * self.gear * seconds - self.mouse * ORBIT_TURN;
-        let rise = -(self.thrust.z * self.gear * seconds + notches * ORBIT_NOTCH_SECONDS);
+        let drag = self.mouse * ORBIT_TURN + self.finger * ORBIT_DRAG;
+        let around = keys * ORBIT_SPEED * self.gear * seconds - drag;
+        let approach = notches * ORBIT_NOTCH_SECONDS + self.spread * ORBIT_SPREAD_SECONDS;
+        let rise = -(self.thrust.z * self.gear * seconds + approach);
         (around != DVec2::ZERO || rise != 0.0).then_some(OrbitStep {
             around,
             rise: rise.signum(),
@@ -252,6 +272,7 @@ pub(super) fn steer_camera(
     held: HeldControls,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,
+    fingers: Res<Fingers>,
     time: Res<Time>,
     (preferences, bindings): (Res<Preferences>, Res<Bindings>),
     orbit: Res<OrbitCamera>,
@@ -261,7 +282,7 @@ pub(super) fn steer_camera(
 ) {
     let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
     let motion = motion.delta.as_dvec2();
-    let hand = Hand::of(&held, &preferences, &pilot, &buttons, motion);
+    let hand = Hand::of(&held, &preferences, &pilot, &buttons, motion, &fingers);
     let notches = std::mem::take(&mut pilot.orbit_notches);
     let scene = editor.drawn_scene();
     let (flown, moves) = if orbit.is_on() {

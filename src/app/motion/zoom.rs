@@ -1,19 +1,21 @@
-//! The keys that make the field of view narrower and wider while they are held.
+//! The field of view: keys make it narrower and wider while they are held, and two fingers pinch it.
 
+use super::orbit_camera::OrbitCamera;
 use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
+use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::scene::Camera;
 
-/// The field of view, in degrees, that the keys reach. The panel sets any other.
+/// The field of view, in degrees, that keys and fingers reach. The panel sets any other.
 const FIELDS_OF_VIEW_DEG: [f64; 2] = [5.0, 120.0];
 /// The angle that a pixel covers changes by this power of e in a second.
 const ZOOM_SPEED: f64 = 0.9;
 
 /// The camera's field of view, in degrees, after zooming by a power of e: positive is wider. A field of view
-/// beyond the range of the keys stays where it is, unless it comes nearer to the range.
+/// beyond the range stays where it is, unless it comes nearer to the range.
 #[must_use]
 pub fn zoomed(camera: &Camera, power: f64) -> f64 {
     let [narrowest, widest] = FIELDS_OF_VIEW_DEG;
@@ -24,17 +26,26 @@ pub fn zoomed(camera: &Camera, power: f64) -> f64 {
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, zoom);
+    app.add_systems(Update, zoom.after(read_fingers));
 }
 
-fn zoom(held: HeldControls, time: Res<Time>, mut editor: SceneEditor) {
-    let direction = held.axis(FlightInput::Wider, FlightInput::Narrower);
-    if direction == 0.0 {
+/// The keys and the fingers zoom. With the orbit camera, fingers change the distance instead.
+fn zoom(
+    held: HeldControls,
+    fingers: Res<Fingers>,
+    orbit: Res<OrbitCamera>,
+    time: Res<Time>,
+    mut editor: SceneEditor,
+) {
+    let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
+    let keys = held.axis(FlightInput::Wider, FlightInput::Narrower) * ZOOM_SPEED * seconds;
+    let spread = if orbit.is_on() { 0.0 } else { fingers.spread };
+    let power = keys - spread;
+    if power == 0.0 {
         return;
     }
-    let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
     let mut next = editor.scene();
-    next.camera.fov_deg = zoomed(&next.camera, direction * ZOOM_SPEED * seconds);
+    next.camera.fov_deg = zoomed(&next.camera, power);
     let fov_deg = next.camera.fov_deg;
     match editor.try_change(next) {
         Ok(()) => editor.say(format!("Field of view: {fov_deg:.0}°")),

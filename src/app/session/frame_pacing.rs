@@ -79,6 +79,7 @@ fn watch_activity(
     comparison: Res<Comparison>,
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
+    touches: Res<Touches>,
     mut moves: MessageReader<CursorMoved>,
     (typing, progress): (Res<Typing>, Res<Progress>),
     pads: Pads,
@@ -111,6 +112,7 @@ fn watch_activity(
     }
     let held = keys.get_pressed().next().is_some()
         || buttons.get_pressed().next().is_some()
+        || touches.iter().next().is_some()
         || pads.in_use();
     if pacing.changed == Some(now) || held || typing.is_on() || moves.read().next().is_some() {
         pacing.active = now;

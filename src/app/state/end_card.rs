@@ -45,15 +45,17 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(PreUpdate, close_end_card.after(bevy::input::InputSystems));
 }
 
-/// The next key, click or button closes the card.
+/// The next key, click, touch or button closes the card.
 fn close_end_card(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
+    touches: Res<Touches>,
     pads: Query<&Gamepad>,
     mut end_card: ResMut<EndCard>,
 ) {
     let used = keys.get_just_pressed().next().is_some()
         || buttons.get_just_pressed().next().is_some()
+        || touches.any_just_pressed()
         || pads
             .iter()
             .any(|pad| pad.get_just_pressed().next().is_some());

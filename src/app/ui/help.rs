@@ -4,6 +4,7 @@ use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindin
 use crate::app::controls::control::Group::{self, Flight, Light, Picture, Scene, View, Window};
 use crate::app::controls::control::{Control, Modifier};
 use crate::app::input::gamepad::Pads;
+use crate::app::input::touch::Fingers;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -14,6 +15,14 @@ const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"
 
 /// What a gamepad's sticks do. Its buttons are bound to controls.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
+
+/// What fingers do on a screen that was touched.
+const FINGERS: [[&str; 2]; 4] = [
+    ["finger", "look around"],
+    ["two, pinch", "field of view, or distance"],
+    ["two, turn", "roll"],
+    ["tap", "menu, places, fall, photo"],
+];
 
 /// Arrangements of the headings in columns. The first one that fits the window is used.
 const COLUMNS: [&[&[Group]]; 4] = [
@@ -52,14 +61,18 @@ pub(crate) fn plugin(app: &mut App) {
 pub fn help_rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     let mut rows = rows(bindings, |control, _| control.group == group);
     if group == Flight {
-        rows.extend(MOUSE.map(|row| row.map(str::to_owned)));
+        rows.extend(rows_of(MOUSE));
     }
     rows
 }
 
+fn rows_of<const N: usize>(rows: [[&str; 2]; N]) -> Vec<[String; 2]> {
+    rows.map(|row| row.map(str::to_owned)).to_vec()
+}
+
 /// The rows of a gamepad: its sticks, and the controls that are bound to buttons.
 fn pad_rows(buttons: &PadBindings) -> Vec<[String; 2]> {
-    let mut all = STICKS.map(|row| row.map(str::to_owned)).to_vec();
+    let mut all = rows_of(STICKS);
     all.extend(rows(buttons, |_, own| !own.is_empty()));
     all
 }
@@ -106,7 +119,7 @@ fn show_help(
     mut overlays: ResMut<Overlays>,
     bindings: Res<Bindings>,
     buttons: Res<PadBindings>,
-    pads: Pads,
+    (pads, fingers): (Pads, Res<Fingers>),
 ) -> Result {
     if !overlays.help || overlays.hidden {
         return Ok(());
@@ -144,6 +157,9 @@ fn show_help(
                                 });
                                 if pads.any() && place + 1 == columns.len() {
                                     table(ui, "Gamepad", pad_rows(&buttons));
+                                }
+                                if fingers.seen && place + 1 == columns.len() {
+                                    table(ui, "Touch", rows_of(FINGERS));
                                 }
                             });
                         }

@@ -17,3 +17,4 @@ pub(crate) mod photo_mode;
 pub(crate) mod screen;
 pub(crate) mod star_names;
 pub(crate) mod theme;
+pub(crate) mod touch_bar;

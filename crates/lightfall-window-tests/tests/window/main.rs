@@ -36,6 +36,7 @@ mod rest;
 mod safety;
 mod session;
 mod shot;
+mod touch;
 mod typing;
 mod x_keys;
 

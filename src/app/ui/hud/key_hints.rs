@@ -12,6 +12,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::screen::{MARGIN, Screen};
+use crate::app::ui::touch_bar::TouchBar;
 use bevy::prelude::*;
 use bevy_egui::egui;
 use std::collections::BTreeSet;
@@ -125,14 +126,15 @@ pub(super) fn show_key_hints(
     mut screen: Screen,
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
-    presence: Res<Presence>,
+    (presence, bar): (Res<Presence>, Res<TouchBar>),
     (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
     beside: Res<ReadOutsWidth>,
 ) {
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
     let strength = if named { 1.0 } else { presence.of_mouse() };
-    let is_shown = |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH;
+    let is_shown =
+        |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH && !bar.is_open();
     let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
         return;
     };

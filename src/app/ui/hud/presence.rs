@@ -75,6 +75,7 @@ fn watch_input(
     time: Res<Time<Real>>,
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
+    touches: Res<Touches>,
     mut moves: MessageReader<CursorMoved>,
     mut wheel: MessageReader<MouseWheel>,
     pads: Pads,
@@ -91,7 +92,8 @@ fn watch_input(
     let pointed = moves.read().count() + wheel.read().count() > 0;
     let pressed = keys.get_pressed().next().is_some()
         || keys.get_just_pressed().next().is_some()
-        || buttons.get_pressed().next().is_some();
+        || buttons.get_pressed().next().is_some()
+        || touches.iter().next().is_some();
     let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
     // The first seconds count from the first picture, which may take a while to be drawn.
     *has_picture |= progress.is_shown();

@@ -12,6 +12,7 @@ use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::paused::Paused;
 use crate::app::ui::screen::Screen;
+use crate::app::ui::touch_bar::TouchBar;
 use bevy::prelude::*;
 use bevy_egui::egui;
 use lightfall_core::numbers::{spin_digits, steady_digits};
@@ -111,7 +112,7 @@ pub(super) fn show_read_outs(
     free_fall: Res<FreeFall>,
     (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
     bindings: Res<Bindings>,
-    presence: Res<Presence>,
+    (presence, bar): (Res<Presence>, Res<TouchBar>),
     mut width: ResMut<ReadOutsWidth>,
 ) {
     let mut strength = presence.of_read_outs();
@@ -120,7 +121,8 @@ pub(super) fn show_read_outs(
         strength = 1.0;
     }
     width.0 = 0.0;
-    let is_shown = |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH;
+    let is_shown =
+        |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH && !bar.is_open();
     let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
         return;
     };

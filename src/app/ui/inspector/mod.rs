@@ -9,7 +9,8 @@ mod plane_figure;
 mod projection;
 mod ray_worker;
 
-use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
+use crate::app::input::pointer::{PointerOverPicture, locate_pointer};
+use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
@@ -70,9 +71,9 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(
             Update,
             (
-                inspect_clicked_pixel
+                inspect_chosen_pixel
                     .after(locate_pointer)
-                    .run_if(pointer_over_picture),
+                    .after(read_fingers),
                 receive_rays,
             ),
         )
@@ -89,19 +90,24 @@ fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
     inside.then(|| (share * picture.size().as_dvec2()).floor() + 0.5)
 }
 
-fn inspect_clicked_pixel(
+/// Inspects the pixel that is clicked or tapped.
+fn inspect_chosen_pixel(
     buttons: Res<ButtonInput<MouseButton>>,
+    (over, fingers): (Res<PointerOverPicture>, Res<Fingers>),
     window: Single<&Window, With<PrimaryWindow>>,
     overlays: Res<Overlays>,
     scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     mut inspector: ResMut<Inspector>,
 ) {
-    if !overlays.shows_inspector() || !buttons.just_pressed(MouseButton::Left) {
+    if !overlays.shows_inspector() {
         return;
     }
-    let pixel = window
-        .physical_cursor_position()
+    let clicks = over.0 && buttons.just_pressed(MouseButton::Left);
+    let clicked = window.physical_cursor_position().filter(|_| clicks);
+    let tapped = fingers.tap.map(|tap| tap * window.scale_factor());
+    let pixel = tapped
+        .or(clicked)
         .and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
     if let Some(pixel) = pixel {
         let scene = scene_at(pixel, &scene, &compared).clone();
