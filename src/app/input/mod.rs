@@ -3,6 +3,7 @@
 pub(crate) mod clicks;
 pub(crate) mod gamepad;
 pub(crate) mod gestures;
+pub(crate) mod hands;
 pub(crate) mod held;
 pub(crate) mod key_modifiers;
 pub(crate) mod keyboard;

@@ -75,7 +75,7 @@ pub(crate) fn plugin(app: &mut App) {
         );
 }
 
-/// Looks who had the keyboard when the last frame was drawn. Only text fields keep it. Any other part
+/// Finds out whether a text field or the menu had the keyboard when the last frame was drawn. Only text fields keep it. Any other part
 /// of the panel that egui gives the focus to loses it again, so that flying goes on.
 fn detect_typing(
     mut contexts: Query<&mut EguiContext, With<PrimaryEguiContext>>,

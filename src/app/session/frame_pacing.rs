@@ -2,6 +2,7 @@
 //! few times a second while nothing does.
 
 use crate::app::input::gamepad::Pads;
+use crate::app::input::hands::Hands;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
 use bevy::platform::time::Instant;
@@ -77,12 +78,9 @@ fn watch_activity(
     time: Res<Time<Real>>,
     scene: Res<DrawnScene>,
     comparison: Res<Comparison>,
-    keys: Res<ButtonInput<KeyCode>>,
-    buttons: Res<ButtonInput<MouseButton>>,
-    touches: Res<Touches>,
+    hands: Hands,
     mut moves: MessageReader<CursorMoved>,
     (typing, progress): (Res<Typing>, Res<Progress>),
-    pads: Pads,
     window: Single<&Window, With<PrimaryWindow>>,
     mut pacing: ResMut<FramePacing>,
     mut last: Local<Option<Scene>>,
@@ -110,11 +108,11 @@ fn watch_activity(
     if comparison.is_changed() && !comparison.is_added() {
         pacing.changed = Some(now);
     }
-    let held = keys.get_pressed().next().is_some()
-        || buttons.get_pressed().next().is_some()
-        || touches.iter().next().is_some()
-        || pads.in_use();
-    if pacing.changed == Some(now) || held || typing.is_on() || moves.read().next().is_some() {
+    if pacing.changed == Some(now)
+        || hands.hold()
+        || typing.is_on()
+        || moves.read().next().is_some()
+    {
         pacing.active = now;
     }
     let lately = |at: Option<Duration>| at.is_some_and(|at| now.saturating_sub(at) < MOVING_FOR);

@@ -32,8 +32,8 @@ pub struct FileRequest {
 /// cancelled the dialog.
 ///
 /// # Errors
-/// Why the system shows no dialog or gives no answer. Windows and macOS do not tell this from a
-/// dialog that was cancelled.
+/// Why the system shows no dialog or gives no answer. On Windows and macOS a dialog that fails looks
+/// like one that the user cancelled.
 pub fn pick_file(request: &FileRequest) -> Result<Option<PathBuf>, String> {
     system::pick_file(request)
 }

@@ -59,9 +59,9 @@ impl Portal {
     /// does not answer in time, it ends while the dialog is open, or it reports a failure.
     pub fn pick_file(&self, request: &FileRequest) -> Result<Option<PathBuf>, String> {
         match async_io::block_on(self.ask(request)) {
-            Ok(file) => path_of(&file).map(Some).ok_or(format!(
-                "the file lies at {file}, which is not a folder of this machine"
-            )),
+            Ok(file) => path_of(&file)
+                .map(Some)
+                .ok_or(format!("the chosen file, {file}, is not on this machine")),
             Err(Error::Response(ResponseError::Cancelled)) => Ok(None),
             Err(error) => Err(error.to_string()),
         }

@@ -67,6 +67,11 @@ fn straight(from: [f32; 2], to: [f32; 2]) -> impl Fn(f32) -> [f32; 2] {
     move |share| [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]))
 }
 
+/// The ways of two fingers that end twice as far apart as they begin.
+fn apart() -> [impl Fn(f32) -> [f32; 2]; 2] {
+    [-50.0, 50.0].map(|from| straight([FREE[0] + from, FREE[1]], [FREE[0] + 2.0 * from, FREE[1]]))
+}
+
 fn change(field: &str, [before, after]: [&State; 2]) -> f64 {
     after.number(field) - before.number(field)
 }
@@ -87,13 +92,7 @@ fn a_finger_looks_around_and_two_pinch_and_turn_the_picture() {
     assert!((-0.25..-0.15).contains(&share), "{share}");
 
     // Twice as far apart, less the rest: the field of view of half the pixels' angle.
-    let parts = [(-1.0, 50.0), (1.0, 50.0)].map(|(side, half): (f32, f32)| {
-        straight(
-            [FREE[0] + side * half, FREE[1]],
-            [FREE[0] + 2.0 * side * half, FREE[1]],
-        )
-    });
-    let zoomed = desktop.drag_fingers(parts);
+    let zoomed = desktop.drag_fingers(apart());
     let tangent = |state: &State| (state.number("camera.fov_deg").to_radians() / 2.0).tan();
     let factor = tangent(&turned) / tangent(&zoomed);
     assert!((1.5..2.0).contains(&factor), "{factor}");
@@ -119,13 +118,7 @@ fn a_finger_looks_around_and_two_pinch_and_turn_the_picture() {
     // Around the hole the fingers change the distance.
     desktop.press("k");
     let far = desktop.still_scene();
-    let parts = [(-1.0, 50.0), (1.0, 50.0)].map(|(side, half): (f32, f32)| {
-        straight(
-            [FREE[0] + side * half, FREE[1]],
-            [FREE[0] + 2.0 * side * half, FREE[1]],
-        )
-    });
-    let near = desktop.drag_fingers(parts);
+    let near = desktop.drag_fingers(apart());
     let ratio = far.number("camera.r") / near.number("camera.r");
     assert!((1.3..2.2).contains(&ratio), "{ratio}");
     assert_eq!(change("camera.fov_deg", [&far, &near]), 0.0);

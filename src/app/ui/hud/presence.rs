@@ -1,6 +1,6 @@
 //! The visibility of the read-outs and the keys: while something happens, and for some seconds after.
 
-use crate::app::input::gamepad::Pads;
+use crate::app::input::hands::Hands;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::frame_pacing::FramePacing;
@@ -73,12 +73,9 @@ pub(super) fn plugin(app: &mut App) {
 
 fn watch_input(
     time: Res<Time<Real>>,
-    keys: Res<ButtonInput<KeyCode>>,
-    buttons: Res<ButtonInput<MouseButton>>,
-    touches: Res<Touches>,
+    hands: Hands,
     mut moves: MessageReader<CursorMoved>,
     mut wheel: MessageReader<MouseWheel>,
-    pads: Pads,
     pacing: Res<FramePacing>,
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
@@ -90,14 +87,11 @@ fn watch_input(
     presence.now = time.elapsed();
     presence.reduced_motion = preferences.settings.reduced_motion;
     let pointed = moves.read().count() + wheel.read().count() > 0;
-    let pressed = keys.get_pressed().next().is_some()
-        || keys.get_just_pressed().next().is_some()
-        || buttons.get_pressed().next().is_some()
-        || touches.iter().next().is_some();
+    let pressed = hands.hold() || hands.keys.get_just_pressed().next().is_some();
     let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
     // The first seconds count from the first picture, which may take a while to be drawn.
     *has_picture |= progress.is_shown();
-    if pointed || pressed || moves || pads.in_use() || !*has_picture {
+    if pointed || pressed || moves || !*has_picture {
         presence.active = presence.now;
     }
     if pointed {
