@@ -43,6 +43,7 @@ pub use session::link::command_line;
 pub use state::disk_clock::DiskClock;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
+pub use state::preferences::Preferences;
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::SettingsFault;
@@ -50,6 +51,7 @@ pub use state::toast::reading_time;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
+pub use ui::layout::{Layout, Slide, Taken, Wish};
 
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
@@ -66,7 +68,6 @@ use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render
 use session::adapter::AdapterChoice;
 use state::light_meter::LightMeter;
 use state::paused::Paused;
-use state::preferences::Preferences;
 use state::title::Title;
 use state::toast::Toast;
 use std::path::{Path, PathBuf};
@@ -243,7 +244,7 @@ pub fn program(start: Start) -> App {
         ))
         .add_plugins((
             (ui::theme::plugin, ui::glyphs::plugin),
-            ui::dock::plugin,
+            (ui::dock::plugin, ui::layout::plugin),
             ui::hud::plugin,
             ui::legend::plugin,
             (ui::guides::plugin, ui::star_names::plugin),

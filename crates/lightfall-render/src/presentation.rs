@@ -3,7 +3,7 @@
 
 mod letterbox;
 
-pub use letterbox::{Letterbox, letterbox};
+pub use letterbox::{Letterbox, PictureArea, letterbox};
 
 use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::chain::Chain;
@@ -97,7 +97,11 @@ pub(super) fn plugin(app: &mut App) {
         "lightfall/presentation.wgsl",
     );
     app.init_resource::<ShownCells>()
-        .add_plugins(ExtractResourcePlugin::<ShownCells>::default());
+        .init_resource::<PictureArea>()
+        .add_plugins((
+            ExtractResourcePlugin::<ShownCells>::default(),
+            ExtractResourcePlugin::<PictureArea>::default(),
+        ));
     app.sub_app_mut(RenderApp)
         .add_systems(RenderStartup, create_presentation_pass)
         .add_systems(
@@ -125,7 +129,7 @@ fn create_presentation_pass(mut commands: Commands) {
 /// Writes the uniform, and creates the cells and pipelines that the settings need.
 fn prepare_presentation_pass(
     scene: Res<DrawnScene>,
-    shown: Res<ShownCells>,
+    (shown, area): (Res<ShownCells>, Res<PictureArea>),
     screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
     scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
     If(mut pass): If<ResMut<PresentationPass>>,
@@ -151,7 +155,7 @@ fn prepare_presentation_pass(
         grid_height: grid.y,
         ..scene.picture
     };
-    let Letterbox { offset, extent } = letterbox(&picture, output);
+    let Letterbox { offset, extent } = area.letterbox(&picture, output);
     if active {
         pass.last_picture = LastPicture {
             shows_light: scene.view.shows_light(),

@@ -10,6 +10,8 @@ pub enum Order {
     /// Let so many seconds pass in every frame, however long it takes: how far a held key moves the
     /// camera then depends on the number of frames alone.
     Step(f64),
+    /// Show texts and panels at this multiple of their usual size.
+    TextSize(f32),
     /// Let every frame take at least so many seconds.
     Slow(f64),
     /// Destroy the graphics device.

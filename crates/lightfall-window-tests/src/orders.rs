@@ -4,7 +4,7 @@ use bevy::input::touch::{TouchInput, TouchPhase};
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
 use bevy::window::PrimaryWindow;
-use lightfall::app::DiskClock;
+use lightfall::app::{DiskClock, Preferences};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::load;
 use lightfall_render::CurrentScene;
@@ -43,7 +43,7 @@ pub fn plugin(app: &mut App) {
         .init_resource::<Orders>()
         .init_resource::<FrameSeconds>()
         .add_systems(First, (receive_orders, touch).chain())
-        .add_systems(Update, show_scene)
+        .add_systems(Update, (show_scene, size_texts))
         .add_systems(Last, slow_down);
 }
 
@@ -58,6 +58,14 @@ fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: C
         if let Order::Step(seconds) = order {
             let step = Duration::from_secs_f64(*seconds);
             commands.insert_resource(TimeUpdateStrategy::ManualDuration(step));
+        }
+    }
+}
+
+fn size_texts(orders: Res<Orders>, mut preferences: ResMut<Preferences>) {
+    for order in &orders.new {
+        if let Order::TextSize(scale) = order {
+            preferences.settings.ui_scale = *scale;
         }
     }
 }

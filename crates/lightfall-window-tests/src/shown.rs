@@ -45,7 +45,8 @@ pub fn widgets(context: &mut EguiContext) -> Vec<Place> {
     })
 }
 
-fn place(rect: egui::Rect) -> Place {
+/// A rectangle of egui.
+pub fn place(rect: egui::Rect) -> Place {
     Place {
         min: rect.min.into(),
         max: rect.max.into(),

@@ -30,6 +30,8 @@ pub struct State {
     pub texts: Vec<Text>,
     /// Where the mouse can click or drag something.
     pub widgets: Vec<Place>,
+    /// The boxes over the picture, each with its name.
+    pub boxes: Vec<(String, Place)>,
     /// What was shown after the last key.
     pub answer: Answer,
     /// Seconds along the journey while it is flown.

@@ -8,7 +8,7 @@ use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContext, EguiFullOutput, EguiPostUpdateSet};
-use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Menu};
+use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu};
 use lightfall_render::{Comparison, ComparisonMode, DrawnScene, Progress};
 use std::path::PathBuf;
 use watched::{State, fields_of};
@@ -33,7 +33,7 @@ fn write_state(
     (orders, answers, kept): (Res<Orders>, Res<Answers>, Res<KeptPicture>),
     (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
     (progress, pacing): (Res<Progress>, Res<FramePacing>),
-    (menu, comparison): (Res<Menu>, Res<Comparison>),
+    (menu, comparison, layout): (Res<Menu>, Res<Comparison>, Res<Layout>),
     window: Single<(&Window, &CursorOptions), With<PrimaryWindow>>,
     mut last: Local<State>,
     mut last_size: Local<UVec2>,
@@ -57,6 +57,11 @@ fn write_state(
         widgets: egui
             .iter_mut()
             .flat_map(|(mut context, _)| shown::widgets(&mut context))
+            .collect(),
+        boxes: layout
+            .taken()
+            .iter()
+            .map(|taken| (taken.name.to_owned(), shown::place(taken.place)))
             .collect(),
         answer: answers.last.clone(),
         journey: player.is_playing().then(|| player.time()),

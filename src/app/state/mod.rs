@@ -21,6 +21,11 @@ pub(crate) mod shown_picture;
 pub(crate) mod title;
 pub(crate) mod toast;
 
+use std::time::Duration;
+
+/// How long words over the picture take to appear and to go away.
+pub(crate) const FADE: Duration = Duration::from_millis(400);
+
 /// Maximum time, in seconds, that counts for one frame. A slower frame moves the camera and the disk
 /// no farther, so that the camera stays steerable on slow machines, and nothing moves while the
 /// machine sleeps.

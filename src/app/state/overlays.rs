@@ -8,6 +8,9 @@ pub(crate) const PANEL: &str = "panel";
 pub(crate) const PANEL_WIDTH: f32 = 420.0;
 /// Width of the ray inspector at the left, in points.
 pub(crate) const INSPECTOR_WIDTH: f32 = 390.0;
+/// Minimum width of the picture beside the panels, in points. In narrower windows the panels lie over
+/// the picture.
+const MIN_PICTURE_WIDTH: f32 = 150.0;
 
 /// A side of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +50,14 @@ impl Overlays {
     /// Width that the panel takes at the right, in points.
     pub(crate) fn right_width(&self) -> f32 {
         if self.shows_panel() { PANEL_WIDTH } else { 0.0 }
+    }
+
+    /// The left and the right end of what the panels leave free of a window of this width, in points.
+    /// `None` if they leave too little.
+    pub(crate) fn free_span(&self, window_width: f32) -> Option<[f32; 2]> {
+        let [left, right] = [self.left_width(), window_width - self.right_width()];
+        let is_free = self.left_width() + self.right_width() == 0.0;
+        (is_free || right - left >= MIN_PICTURE_WIDTH).then_some([left, right])
     }
 
     pub(crate) fn shows_inspector(&self) -> bool {
@@ -110,10 +121,10 @@ impl Overlays {
         self.last_opened = Some(Side::Right);
     }
 
-    /// Shares a window of this width, in points: where both panels are open and do not fit, the
-    /// one that was opened last covers the other.
+    /// Shares a window of this width, in points: where both panels are open and do not fit beside the
+    /// picture, the one that was opened last covers the other.
     pub(crate) fn share(&mut self, window_width: f32) {
-        let narrow = window_width < PANEL_WIDTH + INSPECTOR_WIDTH;
+        let narrow = window_width < PANEL_WIDTH + INSPECTOR_WIDTH + MIN_PICTURE_WIDTH;
         let other = if self.last_opened == Some(Side::Left) {
             Side::Right
         } else {

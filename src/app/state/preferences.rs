@@ -11,8 +11,9 @@ use std::time::Duration;
 
 /// The settings, and the file that they are kept in.
 #[derive(Resource)]
-pub(crate) struct Preferences {
-    pub(crate) settings: Settings,
+pub struct Preferences {
+    /// The settings.
+    pub settings: Settings,
     /// The settings as they are in the file.
     saved: Settings,
     /// Where they are saved. None if this system has no folder for settings, or if the file is of a

@@ -1,28 +1,25 @@
 //! The toast: one sentence at the bottom of the window that says what a key has done, what was
 //! refused, or where a file went. A newer sentence takes the place of an older one.
 
+use super::{FADE, MAX_FRAME_SECONDS};
 use bevy::prelude::*;
 use std::time::Duration;
 
 /// How long a short sentence stays.
 const DURATION: Duration = Duration::from_secs(2);
 /// The longest sentence that counts as short, in characters.
-const SHORT: usize = 32;
+const SHORT: usize = 24;
 /// Time to read one character more.
-const PER_CHARACTER: Duration = Duration::from_millis(60);
+const PER_CHARACTER: Duration = Duration::from_millis(75);
 /// The longest time that a sentence stays.
-const MAX_DURATION: Duration = Duration::from_secs(12);
-/// How long it takes to fade away afterwards.
-const FADE: Duration = Duration::from_millis(250);
+const MAX_DURATION: Duration = Duration::from_secs(15);
 
 /// The sentence.
 #[derive(Resource, Default)]
 pub(crate) struct Toast {
     text: String,
-    /// When it begins to fade, as a time since the start. None before its first frame.
-    ends: Option<Duration>,
-    /// How much of it is left while it fades, from 1 to 0.
-    strength: f32,
+    /// How long it has been shown. `None` before its first frame.
+    shown: Option<Duration>,
     /// The shortest time for which it stays.
     min_duration: Duration,
 }
@@ -37,8 +34,7 @@ impl Toast {
     pub(crate) fn say_for(&mut self, min_duration: Duration, text: impl Into<String>) {
         *self = Self {
             text: text.into(),
-            ends: None,
-            strength: 1.0,
+            shown: None,
             min_duration,
         };
     }
@@ -63,9 +59,15 @@ impl Toast {
         &self.text
     }
 
-    /// How much of the sentence is to be seen, from 0 to 1: it fades at its end.
-    pub(crate) fn strength(&self) -> f32 {
-        self.strength
+    /// Seconds since the sentence appeared.
+    pub(crate) fn since(&self) -> f32 {
+        self.shown.unwrap_or_default().as_secs_f32()
+    }
+
+    /// Seconds until the sentence goes.
+    pub(crate) fn left(&self) -> f32 {
+        let stays = reading_time(&self.text).max(self.min_duration) + FADE;
+        stays.as_secs_f32() - self.since()
     }
 }
 
@@ -81,16 +83,14 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(Update, expire_toast);
 }
 
+/// A frame counts for a quarter of a second at most: while a shader compiles, nobody reads.
 fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
     if toast.text.is_empty() {
         return;
     }
-    let now = time.elapsed();
-    let stays = reading_time(&toast.text).max(toast.min_duration);
-    let end = *toast.ends.get_or_insert(now + stays);
-    if now > end + FADE {
+    let frame = time.delta().min(Duration::from_secs_f64(MAX_FRAME_SECONDS));
+    toast.shown = Some(toast.shown.map_or(Duration::ZERO, |shown| shown + frame));
+    if toast.left() <= 0.0 {
         toast.clear();
-    } else {
-        toast.strength = 1.0 - now.saturating_sub(end).as_secs_f32() / FADE.as_secs_f32();
     }
 }

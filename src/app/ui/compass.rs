@@ -3,16 +3,14 @@
 //! is neither lensing nor a disk to be seen.
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
-use crate::app::state::overlays::Overlays;
-use crate::app::ui::guides::Placement;
-use crate::app::ui::screen::{MARGIN, Screen};
+use crate::app::ui::guides::{PictureInWindow, Placement};
+use crate::app::ui::layout::{Importance, Layout, Slide, Wish};
+use crate::app::ui::screen::{BOX, MARGIN, Screen};
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
-use lightfall_render::DrawnScene;
 
 /// Free room between the arrow and the picture's edges, in points: left and right, and top and bottom.
 /// The arrow moves on an ellipse, which stays clear of the corners.
@@ -33,36 +31,38 @@ const BEHIND: f32 = 0.2;
 const TEXT_SIZE: f32 = 14.0;
 const BRIGHT: Color32 = Color32::from_gray(235);
 const DARK: Color32 = Color32::from_black_alpha(215);
+/// Room around the label's text, in points.
+const PADDING: Vec2 = egui::vec2(8.0, 4.0);
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_compass);
+    app.add_systems(
+        EguiPrimaryContextPass,
+        show_compass.in_set(Importance::Compass),
+    );
 }
 
-fn show_compass(
-    mut screen: Screen,
-    scene: Res<DrawnScene>,
-    hole: Res<HoleInView>,
-    overlays: Res<Overlays>,
-    window: Single<&Window, With<PrimaryWindow>>,
-) {
-    let (Some((context, room)), Some(hole), false) = (screen.room(), hole.0, overlays.help) else {
+fn show_compass(mut screen: Screen, picture: PictureInWindow, hole: Res<HoleInView>) {
+    let (Some((context, layout)), Some(hole)) = (screen.texts(), hole.0) else {
         return;
     };
-    let free = room.expand(MARGIN);
+    let scene = &picture.scene;
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);
     if hole.fills_view {
-        draw_arrow(&painter, free, -hole.direction, "sky");
+        draw_arrow(&painter, layout, -hole.direction, "sky");
     } else if !hole.in_picture {
-        draw_arrow(&painter, free, hole.direction, &hole_label(&scene));
+        draw_arrow(&painter, layout, hole.direction, &hole_label(scene));
     } else if scene.effects.lensing || scene.disk.enabled {
-        let placement = Placement::new(&scene, &window, context);
-        draw_ring(&painter, &scene, &hole, &placement);
+        draw_ring(&painter, layout, scene, &hole, &picture.placement(context));
     }
 }
 
 /// Draws an arrow toward a target with this direction on the camera's axes.
-fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &str) {
+fn draw_arrow(painter: &egui::Painter, layout: &mut Layout, target: glam::DVec3, name: &str) {
+    let free = layout.bounds().expand(MARGIN);
+    if !free.is_positive() {
+        return;
+    }
     let aside = egui::vec2(target.x as f32, -target.y as f32);
     let behind = target.z < 0.0 && aside.length() < BEHIND;
     // No side is nearer to a target straight behind, so the arrow points down.
@@ -73,6 +73,10 @@ fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &s
     };
     let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
     let tip = free.center() + toward * axes;
+    layout.take(
+        "arrow",
+        Rect::from_center_size(tip, Vec2::splat(2.0 * ARROW)),
+    );
     let back = -toward * ARROW;
     let side = toward.rot90() * ARROW;
     for stroke in [Stroke::new(6.0, DARK), Stroke::new(2.0, BRIGHT)] {
@@ -82,11 +86,17 @@ fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &s
     }
     let behind = if behind { ", behind you" } else { "" };
     let place = tip - toward * Vec2::from(LABEL_DISTANCE);
-    draw_label(painter, place, format!("{name}{behind}"));
+    draw_label(painter, layout, place, format!("{name}{behind}"));
 }
 
 /// Draws a ring around a hole and a disk that are too small on the screen to be found.
-fn draw_ring(painter: &egui::Painter, scene: &Scene, hole: &SeenHole, placement: &Placement) {
+fn draw_ring(
+    painter: &egui::Painter,
+    layout: &mut Layout,
+    scene: &Scene,
+    hole: &SeenHole,
+    placement: &Placement,
+) {
     let Some(place) = placement.of_looking(hole.direction) else {
         return;
     };
@@ -95,8 +105,7 @@ fn draw_ring(painter: &egui::Painter, scene: &Scene, hole: &SeenHole, placement:
     } else {
         0.0
     };
-    let pixels = hole.radius.max(disk) / scene.pixel_angle();
-    let radius = pixels as f32 * placement.picture.height() / scene.picture.height as f32;
+    let radius = placement.radius(hole.radius.max(disk), scene);
     if radius > SMALL_RADIUS {
         return;
     }
@@ -105,6 +114,7 @@ fn draw_ring(painter: &egui::Painter, scene: &Scene, hole: &SeenHole, placement:
     painter.circle_stroke(place, ring, Stroke::new(1.5, BRIGHT));
     draw_label(
         painter,
+        layout,
         place + egui::vec2(0.0, ring + MIN_RING),
         hole_label(scene),
     );
@@ -115,10 +125,18 @@ fn hole_label(scene: &Scene) -> String {
     format!("hole  {} r_s", four_digits(scene.camera.r))
 }
 
-/// Draws a line of text on a dark ground.
-fn draw_label(painter: &egui::Painter, middle: Pos2, text: String) {
+/// Draws a line of text on a dark ground, with its middle near this point.
+fn draw_label(painter: &egui::Painter, layout: &mut Layout, middle: Pos2, text: String) {
     let galley = painter.layout_no_wrap(text, FontId::proportional(TEXT_SIZE), BRIGHT);
-    let rect = Align2::CENTER_CENTER.anchor_size(middle, galley.size());
-    painter.rect_filled(rect.expand2(egui::vec2(8.0, 4.0)), 6.0, DARK);
-    painter.galley(rect.min, galley, BRIGHT);
+    let wish = Wish {
+        covers_hole: false,
+        anchor: Align2::CENTER_CENTER,
+        at: middle,
+        slide: Slide::Anywhere,
+    };
+    let size = galley.size() + 2.0 * PADDING;
+    if let Some(place) = layout.place("compass", size, wish) {
+        painter.rect_filled(place, 6.0, BOX);
+        painter.galley(place.min + PADDING, galley, BRIGHT);
+    }
 }

@@ -38,6 +38,8 @@ const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
     &[&[Light, Flight, View, Window], &[Scene, Picture]],
     &[&Group::ALL],
 ];
+/// Name of the help's window.
+pub(crate) const HELP: &str = "Help";
 /// Width of a column, in points.
 const COLUMN_WIDTH: f32 = 320.0;
 /// Width of the keys in a column, in points.
@@ -135,7 +137,7 @@ fn show_help(
         .into_iter()
         .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
         .unwrap_or(sets[3]);
-    egui::Window::new("Help")
+    egui::Window::new(HELP)
         .open(&mut overlays.help)
         .order(egui::Order::Foreground)
         .collapsible(false)

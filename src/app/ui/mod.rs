@@ -8,6 +8,7 @@ pub(crate) mod guides;
 pub(crate) mod help;
 pub(crate) mod hud;
 pub(crate) mod inspector;
+pub(crate) mod layout;
 pub(crate) mod legend;
 pub(crate) mod menu;
 pub(crate) mod notice;

@@ -4,10 +4,9 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::motion::steering::is_inside;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::hole_in_view::HoleInView;
-use crate::app::state::menu::Menu;
 use crate::app::state::notice::Notice;
-use crate::app::state::overlays::Overlays;
-use crate::app::ui::screen::Screen;
+use crate::app::ui::layout::{Importance, Layout, Slide};
+use crate::app::ui::screen::{Screen, show_placed, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
 use egui::RichText;
@@ -19,11 +18,14 @@ const TEXT_SIZE: f32 = 15.0;
 /// Colours of the two lines.
 const TITLE: egui::Color32 = egui::Color32::from_gray(238);
 const TEXT: egui::Color32 = egui::Color32::from_gray(200);
-/// Height of a notice from the top, as a share of the window's height: above the hole.
-const NOTICE_HEIGHT: f32 = 0.2;
+/// Distance of a notice from the top, as a share of the window's height: above the hole.
+const NOTICE_HEIGHT: f32 = 0.12;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_notice);
+    app.add_systems(
+        EguiPrimaryContextPass,
+        show_notice.in_set(Importance::Cards),
+    );
 }
 
 fn show_notice(
@@ -31,25 +33,21 @@ fn show_notice(
     scene: Res<CurrentScene>,
     notice: Res<Notice>,
     hole: Res<HoleInView>,
-    (end_card, menu): (Res<EndCard>, Res<Menu>),
-    overlays: Res<Overlays>,
+    end_card: Res<EndCard>,
     bindings: Res<Bindings>,
 ) {
-    let is_covered = overlays.help || end_card.is_open() || menu.is_open();
-    let Some((context, room)) = screen.room().filter(|_| !is_covered) else {
+    let Some((context, layout)) = screen.texts().filter(|_| !end_card.is_open()) else {
         return;
     };
-    let middle = room.center();
     if let Some([title, text]) = notice.lines {
-        let height = NOTICE_HEIGHT * context.content_rect().height();
-        draw(context, egui::pos2(middle.x, height), title, text);
+        draw(context, layout, title, text);
     } else if hole.0.is_some_and(|hole| hole.fills_view) {
         let text = way_out(is_inside(&scene), &bindings);
-        draw(context, middle, "The hole fills the view", &text);
+        draw(context, layout, "The hole fills the view", &text);
     } else if scene.view.shows_light() && !scene.shines() {
         let [disk, sky] = ["scene.disk", "scene.sky"].map(|id| bindings.first_label(id));
         let text = format!("{disk} shows the disk  ·  {sky} shows the sky");
-        draw(context, middle, "Nothing shines here", &text);
+        draw(context, layout, "Nothing shines here", &text);
     }
 }
 
@@ -65,25 +63,17 @@ fn way_out(inside: bool, bindings: &Bindings) -> String {
     format!("{face} faces outward  ·  {away}{undo} returns")
 }
 
-/// Draws two lines around this point.
-fn draw(context: &egui::Context, middle: egui::Pos2, title: &str, text: &str) {
-    egui::Area::new("notice".into())
-        .pivot(egui::Align2::CENTER_CENTER)
-        .fixed_pos(middle)
-        .interactable(false)
-        .order(egui::Order::Background)
-        .show(context, |ui| {
-            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-            let frame = egui::Frame::new()
-                .fill(egui::Color32::from_black_alpha(215))
-                .inner_margin(egui::Margin::symmetric(24, 16))
-                .corner_radius(10);
-            frame.show(ui, |ui| {
-                ui.vertical_centered(|ui| {
-                    ui.label(RichText::new(title).size(TITLE_SIZE).color(TITLE));
-                    ui.add_space(4.0);
-                    ui.label(RichText::new(text).size(TEXT_SIZE).color(TEXT));
-                });
-            });
+/// Draws two lines above the middle of the picture.
+fn draw(context: &egui::Context, layout: &mut Layout, title: &str, text: &str) {
+    let mut wish = layout
+        .at(egui::Align2::CENTER_TOP, Slide::Anywhere)
+        .even_over_hole();
+    wish.at.y += NOTICE_HEIGHT * layout.bounds().height();
+    show_placed(context, layout, "notice", wish, |ui| {
+        text_box(16.0, 10.0).show(ui, |ui| {
+            ui.label(RichText::new(title).size(TITLE_SIZE).color(TITLE));
+            ui.add_space(4.0);
+            ui.label(RichText::new(text).size(TEXT_SIZE).color(TEXT));
         });
+    });
 }

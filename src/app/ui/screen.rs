@@ -1,10 +1,13 @@
-//! The part of the window in which texts may lie over the picture.
+//! What lies over the picture, and the boxes that texts lie in.
 
+use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
+use crate::app::ui::layout::{Layout, Wish};
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
-use egui::{Color32, Painter, Rect};
+use egui::emath::TSTransform;
+use egui::{Color32, Id, LayerId, Order, Painter, Rect, UiBuilder};
 
 /// Room between texts and the window's edges or the panels, in points.
 pub(crate) const MARGIN: f32 = 12.0;
@@ -17,22 +20,22 @@ pub(crate) const BOX: Color32 = Color32::from_black_alpha(240);
 pub(crate) struct Screen<'w, 's> {
     contexts: EguiContexts<'w, 's>,
     overlays: Res<'w, Overlays>,
+    menu: Res<'w, Menu>,
+    layout: ResMut<'w, Layout>,
 }
 
 impl Screen<'_, '_> {
-    /// egui's context, and the part of the window for texts. None while the photo mode hides them.
-    pub(crate) fn room(&mut self) -> Option<(&egui::Context, Rect)> {
-        let context = self.contexts.ctx_mut().ok()?;
-        (!self.overlays.hidden).then(|| (&*context, free_room(context, &self.overlays)))
+    /// egui's context and the layout, for texts that the photo mode, the help and the menu hide.
+    pub(crate) fn texts(&mut self) -> Option<(&egui::Context, &mut Layout)> {
+        let hidden = self.overlays.hidden || self.overlays.help || self.menu.is_open();
+        self.messages().filter(|_| !hidden)
     }
-}
 
-/// The part of the window between the panels, less a margin.
-pub(crate) fn free_room(context: &egui::Context, overlays: &Overlays) -> Rect {
-    let mut room = context.content_rect().shrink(MARGIN);
-    room.min.x += overlays.left_width();
-    room.max.x -= overlays.right_width();
-    room
+    /// egui's context and the layout, for texts that nothing hides.
+    pub(crate) fn messages(&mut self) -> Option<(&egui::Context, &mut Layout)> {
+        let context = self.contexts.ctx_mut().ok()?;
+        Some((&*context, &mut *self.layout))
+    }
 }
 
 /// A box around texts, with this much room inside its edges, in points.
@@ -41,6 +44,39 @@ pub(crate) fn text_box(inner_margin: f32, corner_radius: f32) -> egui::Frame {
         .fill(BOX)
         .inner_margin(inner_margin)
         .corner_radius(corner_radius)
+}
+
+/// Shows contents where the layout has room for them, as near as possible to their wish. Contents larger
+/// than the layout's bounds are drawn smaller. Returns their box, or `None` where there is no room, and
+/// then shows nothing.
+pub(crate) fn show_placed(
+    context: &egui::Context,
+    layout: &mut Layout,
+    name: &'static str,
+    wish: Wish,
+    contents: impl FnOnce(&mut egui::Ui),
+) -> Option<Rect> {
+    if !layout.bounds().is_positive() {
+        return None;
+    }
+    let layer = LayerId::new(Order::Background, Id::new(name));
+    let builder = UiBuilder::new().layer_id(layer).max_rect(layout.bounds());
+    let mut ui = egui::Ui::new(context.clone(), Id::new(name), builder);
+    ui.set_clip_rect(Rect::EVERYTHING);
+    contents(&mut ui);
+    // Their size is known only now, so that what is drawn moves to its place.
+    let drawn = ui.min_rect();
+    let room = layout.bounds().size() / drawn.size();
+    let scale = room.min_elem().min(1.0);
+    let place = layout.place(name, scale * drawn.size(), wish);
+    match place {
+        Some(place) => {
+            let moved = TSTransform::new(place.min - scale * drawn.min, scale);
+            context.transform_layer_shapes(layer, moved);
+        }
+        None => context.graphics_mut(|graphics| *graphics.entry(layer) = Default::default()),
+    }
+    place
 }
 
 /// Draws over the picture within `bounds`. What it draws has an area of its own, which lies below
@@ -56,6 +92,6 @@ pub(crate) fn draw_below_boxes(
         .constrain(false)
         .interactable(false)
         .fade_in(false)
-        .order(egui::Order::Background)
+        .order(Order::Background)
         .show(context, |ui| draw(&ui.painter().with_clip_rect(bounds)));
 }

@@ -2,12 +2,12 @@
 //! that the hole makes also has its order and magnification.
 
 use crate::app::state::overlays::Overlays;
-use crate::app::ui::guides::Placement;
+use crate::app::ui::guides::{PictureInWindow, Placement};
+use crate::app::ui::layout::{Importance, Layout};
 use crate::app::ui::screen::{Screen, draw_below_boxes};
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::EguiPrimaryContextPass;
-use bevy_egui::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
+use bevy_egui::egui::{Color32, FontId, Painter, Rect, Stroke};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Scene, SkyMode};
 use lightfall_platform::worker::Follower;
@@ -37,7 +37,10 @@ pub(crate) fn plugin(app: &mut App) {
     });
     app.insert_resource(StarNames(names))
         .add_systems(Update, find_images)
-        .add_systems(EguiPrimaryContextPass, show_star_names);
+        .add_systems(
+            EguiPrimaryContextPass,
+            show_star_names.in_set(Importance::StarNames),
+        );
 }
 
 /// Whether the picture shows stars of the catalogue.
@@ -75,58 +78,49 @@ fn find_images(scene: Res<DrawnScene>, overlays: Res<Overlays>, mut names: ResMu
 
 fn show_star_names(
     mut screen: Screen,
-    window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<DrawnScene>,
+    picture: PictureInWindow,
     overlays: Res<Overlays>,
     names: Res<StarNames>,
 ) {
+    let scene = &picture.scene;
     // Names of an earlier place of the camera would point at nothing.
     let found = names
         .0
         .newest()
-        .filter(|(sky, _)| overlays.star_names && has_stars(&scene) && *sky == sky_of(&scene));
-    let (Some((context, _)), Some((_, images))) = (screen.room(), found) else {
+        .filter(|(sky, _)| overlays.star_names && has_stars(scene) && *sky == sky_of(scene));
+    let (Some((context, layout)), Some((_, images))) = (screen.texts(), found) else {
         return;
     };
-    let placement = Placement::new(&scene, &window, context);
-    draw_below_boxes(context, "star names", placement.picture, |painter| {
-        draw(painter, images, &placement);
+    let placement = picture.placement(context);
+    let shown = picture.shown_part(&placement);
+    draw_below_boxes(context, "star names", shown, |painter| {
+        draw(painter, images, &placement, shown, layout);
     });
 }
 
-/// Draws a ring around each image and its name beside it, the brightest first. An image whose name
-/// would cover another name is left out: many rings without names next to the shadow would be clutter.
-fn draw(painter: &Painter, images: &[NamedImage], placement: &Placement) {
-    let mut taken: Vec<Rect> = Vec::new();
+/// Draws a ring around each image in the part `shown` of the window and its name beside it, the brightest
+/// first. An image whose name has no room is left out: many rings without names next to the shadow would
+/// be clutter.
+fn draw(
+    painter: &Painter,
+    images: &[NamedImage],
+    placement: &Placement,
+    shown: Rect,
+    layout: &mut Layout,
+) {
     for image in images {
-        let Some(at) = placement.of(image.image.direction) else {
+        let at = placement.of(image.image.direction);
+        let Some(at) = at.filter(|at| shown.contains(*at)) else {
             continue;
         };
         let galley = painter.layout_no_wrap(words(image), FontId::proportional(SIZE), COLOUR);
-        if let Some(place) = free_place(at, galley.size(), placement.picture, &taken) {
+        let place = layout.place_beside("star name", at, galley.size(), &[DISTANCE], shown);
+        if let Some(place) = place {
             painter.circle_stroke(at, RING, Stroke::new(1.0, COLOUR.gamma_multiply(0.7)));
             painter.rect_filled(place.expand(1.0), 2.0, SHADE);
             painter.galley(place.min, galley, COLOUR);
-            taken.push(place);
         }
     }
-}
-
-/// The first place beside an image, right, left, below or above, that lies within the picture and
-/// covers no other name.
-fn free_place(at: Pos2, size: Vec2, picture: Rect, taken: &[Rect]) -> Option<Rect> {
-    let places = [
-        (Align2::LEFT_CENTER, vec2(DISTANCE, 0.0)),
-        (Align2::RIGHT_CENTER, vec2(-DISTANCE, 0.0)),
-        (Align2::CENTER_TOP, vec2(0.0, DISTANCE)),
-        (Align2::CENTER_BOTTOM, vec2(0.0, -DISTANCE)),
-    ];
-    places
-        .into_iter()
-        .map(|(align, offset)| align.anchor_size(at + offset, size))
-        .find(|place| {
-            picture.contains_rect(*place) && !taken.iter().any(|other| other.intersects(*place))
-        })
 }
 
 /// The star's name. An image of higher order, or one that is not as bright as the star, also has its

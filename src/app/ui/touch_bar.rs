@@ -7,7 +7,8 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
-use crate::app::ui::screen::{MARGIN, free_room, text_box};
+use crate::app::ui::layout::{GAP, Importance, Layout, Slide};
+use crate::app::ui::screen::{MARGIN, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
@@ -15,19 +16,13 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 const BUTTON: egui::Vec2 = egui::vec2(56.0, 44.0);
 /// Size of its text, in points.
 const TEXT: f32 = 15.0;
-/// Room between buttons and around them, in points.
-const GAP: f32 = 6.0;
+/// Name of the bar, which is its egui area.
+const NAME: &str = "touch bar";
 
 /// Whether the bar is shown.
 #[derive(Resource, Default)]
 pub(crate) struct TouchBar {
     open: bool,
-}
-
-impl TouchBar {
-    pub(crate) fn is_open(&self) -> bool {
-        self.open
-    }
 }
 
 /// What a button does.
@@ -41,7 +36,10 @@ enum Use {
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<TouchBar>()
         .add_systems(Update, open_touch_bar.after(read_fingers))
-        .add_systems(EguiPrimaryContextPass, show_touch_bar);
+        .add_systems(
+            EguiPrimaryContextPass,
+            show_touch_bar.in_set(Importance::TouchBar),
+        );
 }
 
 /// Opens the bar where the picture is tapped, and closes it where it is tapped again. While the ray
@@ -84,6 +82,7 @@ fn buttons(overlays: &Overlays, falls: bool, travels: bool) -> Vec<(&'static str
 
 fn show_touch_bar(
     mut contexts: EguiContexts,
+    mut layout: ResMut<Layout>,
     overlays: Res<Overlays>,
     (free_fall, player): (Res<FreeFall>, Res<JourneyPlayer>),
     mut bar: ResMut<TouchBar>,
@@ -95,15 +94,23 @@ fn show_touch_bar(
     }
     let context = contexts.ctx_mut()?;
     let buttons = buttons(&overlays, free_fall.is_moving(), player.is_playing());
-    let mut room = free_room(context, &overlays);
     // Between the panels or, if they leave too little room, over them.
+    let mut room = layout.bounds();
     if room.width() < buttons.len() as f32 * (BUTTON.x + GAP) + GAP {
         room = context.content_rect().shrink(MARGIN);
     }
+    // egui knows the size after the bar's first frame.
+    let size = context
+        .memory(|memory| memory.area_rect(NAME))
+        .map_or(BUTTON, |shown| shown.size());
+    let wish = layout.at(egui::Align2::CENTER_BOTTOM, Slide::Anywhere);
+    let place = layout
+        .wished(size, wish)
+        .unwrap_or_else(|| egui::Align2::CENTER_BOTTOM.anchor_size(room.center_bottom(), size));
+    layout.take(NAME, place);
     let mut used = None;
-    egui::Area::new("touch bar".into())
-        .pivot(egui::Align2::CENTER_BOTTOM)
-        .fixed_pos(room.center_bottom())
+    egui::Area::new(NAME.into())
+        .fixed_pos(place.min)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(room.width());

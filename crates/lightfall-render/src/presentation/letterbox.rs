@@ -1,7 +1,30 @@
 //! Where the picture lies on the output.
 
-use bevy::math::{UVec2, Vec2};
+use bevy::math::{URect, UVec2, Vec2};
+use bevy::prelude::Resource;
+use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::scene::Picture;
+
+/// The part of the output in which the picture is shown, in pixels. An empty one stands for the whole
+/// output.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
+pub struct PictureArea(pub URect);
+
+impl PictureArea {
+    /// Centres the picture in this part of an output of the given size.
+    #[must_use]
+    pub fn letterbox(self, picture: &Picture, output: UVec2) -> Letterbox {
+        let mut area = self.0.intersect(URect::from_corners(UVec2::ZERO, output));
+        if area.is_empty() {
+            area = URect::from_corners(UVec2::ZERO, output);
+        }
+        let Letterbox { offset, extent } = letterbox(picture, area.size());
+        Letterbox {
+            offset: offset + area.min.as_vec2(),
+            extent,
+        }
+    }
+}
 
 /// The rectangle of the output that the picture fills. The outermost cells may reach beyond the
 /// output.

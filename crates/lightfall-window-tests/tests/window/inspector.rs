@@ -9,7 +9,9 @@ use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::presets;
 use watched::State;
 
-/// Width of the inspector's panel, with some room.
+/// Width of the inspector's panel.
+const INSPECTOR_WIDTH: f64 = 390.0;
+/// Its width, with some room.
 const INSPECTOR: usize = 420;
 
 #[test]
@@ -27,10 +29,11 @@ fn a_click_shows_and_copies_the_ray_of_that_pixel() {
         desktop.click_at([x, y]);
         desktop.settled("numbers", |shot| shows(shot, &empty) > 0.02);
         let json = copied(&desktop);
-        // Three pixels of the window are two of the picture.
-        let pixel = (DVec2::new(f64::from(x), f64::from(y)) * (960.0 / 1440.0)).floor() + 0.5;
+        // Three pixels of the window are two of the picture, which lies beside the inspector.
+        let place = DVec2::new(f64::from(x) - INSPECTOR_WIDTH, f64::from(y));
+        let pixel = (place * (960.0 / 1440.0)).floor() + 0.5;
         assert_eq!(json["pixel"], serde_json::json!([pixel.x, pixel.y]));
-        let ray = Ray::toward(scene.camera.looking(pixel, DVec2::new(960.0, 540.0)));
+        let ray = Ray::toward(scene.camera.looking(pixel, DVec2::new(700.0, 540.0)));
         let direction = scene.camera.tetrad_from_camera() * ray.direction();
         let expected = Inspected::new(&scene, direction, Some(pixel.to_array()), 120.0)
             .unwrap()

@@ -23,6 +23,7 @@ mod hands;
 mod inspector;
 mod keys;
 mod latency;
+mod layout;
 mod layouts;
 mod lost;
 mod manager;

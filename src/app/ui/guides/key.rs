@@ -3,16 +3,15 @@
 
 use super::place::Placement;
 use super::style::{Style, meaning, name};
+use crate::app::ui::layout::{Layout, Slide};
 use crate::app::ui::number::{in_words, round_length};
-use crate::app::ui::screen::text_box;
+use crate::app::ui::screen::{show_placed, text_box};
 use bevy_egui::egui::{self, Color32, RichText, Stroke, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::Scene;
 
-/// Name of the key's area.
-pub(super) const KEY: &str = "key to the guides";
 const SIZE: f32 = 12.5;
 const WIDTH: f32 = 292.0;
 /// Maximum length of the scale bar, in points.
@@ -30,22 +29,18 @@ pub(super) struct Tracing {
     pub(super) right_side: bool,
 }
 
-/// Shows the key with its upper right corner at this place. Returns its box.
+/// Shows the key in the upper right corner, below the legend of a view.
 pub(super) fn show_key(
-    context: &egui::Context,
+    (context, layout): (&egui::Context, &mut Layout),
     scene: &Scene,
     guides: &[Guide],
     placement: &Placement,
     mass: HoleMass,
-    [right, top]: [f32; 2],
     tracing: Tracing,
-) -> egui::Rect {
+) {
     let kerr = scene.kerr();
-    let area = egui::Area::new(KEY.into())
-        .fixed_pos([right - WIDTH - 2.0 * MARGIN, top])
-        .interactable(false)
-        .order(egui::Order::Background);
-    let shown = area.show(context, |ui| {
+    let wish = layout.at(egui::Align2::RIGHT_TOP, Slide::Anywhere);
+    show_placed(context, layout, "key to the guides", wish, |ui| {
         text_box(MARGIN, 5.0).show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().item_spacing = vec2(8.0, 3.0);
@@ -81,7 +76,6 @@ pub(super) fn show_key(
             scale_bar(ui, scene, placement, mass);
         });
     });
-    shown.response.rect
 }
 
 fn heading(ui: &mut egui::Ui, text: &str) {

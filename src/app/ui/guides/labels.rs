@@ -1,5 +1,6 @@
 //! The labels of the guides: columns of names beside the hole, each joined to its line.
 
+use crate::app::ui::layout::{GAP, Layout, Slide, Wish};
 use crate::app::ui::screen::BOX;
 use bevy_egui::egui::{
     self, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2,
@@ -17,9 +18,8 @@ pub(super) struct Label {
 }
 
 const SIZE: f32 = 13.0;
-/// Room around a label's text, and between labels, in points.
+/// Room around a label's text, in points.
 const PADDING: Vec2 = vec2(6.0, 3.0);
-const GAP: f32 = 5.0;
 /// Distance of the column from the figure, and from the edge of the free part of the picture.
 const DISTANCE: f32 = 34.0;
 const MARGIN: f32 = 12.0;
@@ -33,9 +33,15 @@ struct Anchored {
     place: Rect,
 }
 
-/// Draws the labels within `free`, beside the figure that their lines make, and below the boxes
-/// `taken`. A label whose line lies outside `free` is left out.
-pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect, taken: &[Rect]) {
+/// Draws the labels within `free`, beside the figure that their lines make. A label whose line lies
+/// outside `free`, or for which there is no room, is left out.
+pub(super) fn draw_labels(
+    painter: &Painter,
+    mut labels: Vec<Label>,
+    free: Rect,
+    layout: &mut Layout,
+) {
+    let free = free.intersect(layout.bounds());
     let mut figure = Rect::NOTHING;
     for point in labels.iter().flat_map(|label| &label.points) {
         if free.contains(*point) {
@@ -56,14 +62,14 @@ pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect,
     };
     // If a box covers a part of the right column's place, all labels go to the left.
     let column = column_of(&labels, true);
-    if taken.iter().any(|taken| taken.intersects(column.wanted())) {
+    if !column.is_free(layout) {
         for label in &mut labels {
             label.toward.x = -label.toward.x.abs();
         }
     }
     for right in [true, false] {
         let mut column = column_of(&labels, right);
-        column.arrange(free, taken);
+        column.arrange(free, layout);
         column.draw(painter);
     }
 }
@@ -115,30 +121,36 @@ impl Column {
         Self { labels, inner }
     }
 
-    /// The place of all labels before they make room for each other.
-    fn wanted(&self) -> Rect {
-        let places = self.labels.iter().map(|label| label.place);
-        places.fold(Rect::NOTHING, Rect::union)
+    /// Whether all labels have room before they make room for each other.
+    fn is_free(&self, layout: &Layout) -> bool {
+        self.labels.iter().all(|label| layout.is_free(label.place))
     }
 
-    /// Moves the labels apart, within `free` and below the boxes `taken`.
-    fn arrange(&mut self, free: Rect, taken: &[Rect]) {
-        let span = Rect::from_x_y_ranges(self.wanted().x_range(), free.y_range());
-        let covering = taken.iter().filter(|taken| taken.intersects(span));
-        let top = covering.map(|taken| taken.bottom() + GAP);
-        let mut lowest = top.fold(free.top() + MARGIN, f32::max);
-        for label in &mut self.labels {
-            let down = (lowest - label.place.top()).max(0.0);
-            label.place = label.place.translate(vec2(0.0, down));
-            lowest = label.place.bottom() + GAP;
-        }
-        // A column that would leave the picture moves up.
-        let mut bottom = free.bottom() - MARGIN;
-        for label in self.labels.iter_mut().rev() {
-            let down = (bottom - label.place.bottom()).min(0.0);
-            label.place = label.place.translate(vec2(0.0, down));
-            bottom = label.place.top() - GAP;
-        }
+    /// Gives the labels places one below the other, and leaves out those without room.
+    fn arrange(&mut self, free: Rect, layout: &mut Layout) {
+        let heights = self.labels.iter().map(|label| label.place.height() + GAP);
+        // The labels below have room, too.
+        let mut lowest = free.bottom() - MARGIN - heights.sum::<f32>();
+        let mut highest = free.top();
+        self.labels.retain_mut(|label| {
+            let size = label.place.size();
+            let top = label.place.top().min(lowest.max(free.top())).max(highest);
+            lowest += size.y + GAP;
+            let wish = Wish {
+                anchor: Align2::LEFT_TOP,
+                at: pos2(label.place.left(), top),
+                slide: Slide::Upright,
+                covers_hole: false,
+            };
+            let below = |place: &Rect| place.top() >= highest - GAP && free.contains_rect(*place);
+            let place = layout.wished(size, wish).filter(below);
+            if let Some(place) = place {
+                layout.take("guide", place);
+                label.place = place;
+                highest = place.bottom() + GAP;
+            }
+            place.is_some()
+        });
     }
 
     fn draw(&self, painter: &Painter) {

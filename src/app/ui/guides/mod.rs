@@ -8,28 +8,24 @@ mod style;
 
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::legend::LEGEND;
+use crate::app::ui::layout::Importance;
 use crate::app::ui::screen::{MARGIN, Screen, draw_below_boxes};
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiPrimaryContextPass, egui};
-use glam::DVec2;
-use key::{KEY, Tracing, show_key};
+use key::{Tracing, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, quick_guides, traced_guides};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::scene::{Scene, View};
+use lightfall_core::scene::Scene;
 use lightfall_platform::worker::Follower;
-use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene};
-pub(in crate::app::ui) use place::Placement;
+use lightfall_render::DrawnScene;
 use place::draw_line;
+pub(in crate::app::ui) use place::{PictureInWindow, Placement};
 use style::{Style, name};
 
 /// Opacity of the slow guides while they belong to an earlier place of the camera.
 const STALE: f32 = 0.3;
-/// Room for the read-outs at the bottom, in points.
-const READ_OUT_HEIGHT: f32 = 92.0;
 
 /// The guides, each kind after the scene that it belongs to, as [`sky_of`] gives it.
 #[derive(Resource)]
@@ -50,7 +46,10 @@ pub(crate) fn plugin(app: &mut App) {
             Update,
             trace_guides.run_if(|overlays: Res<Overlays>| overlays.shows_guides()),
         )
-        .add_systems(EguiPrimaryContextPass, show_guides);
+        .add_systems(
+            EguiPrimaryContextPass,
+            show_guides.in_set(Importance::Guides),
+        );
 }
 
 /// A scene with only the fields that decide where guides are on the observer's sky. Without a tilted
@@ -81,26 +80,18 @@ fn trace_guides(scene: Res<DrawnScene>, mut guides: ResMut<Guides>) {
 
 fn show_guides(
     mut screen: Screen,
-    window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<DrawnScene>,
+    picture: PictureInWindow,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
-    (guides, compared): (Res<Guides>, Res<ComparedScene>),
+    guides: Res<Guides>,
 ) {
     let quick = guides.quick.as_ref().filter(|_| overlays.guides);
-    let (Some((context, room)), Some((sky, quick))) = (screen.room(), quick) else {
+    let (Some((context, layout)), Some((sky, quick))) = (screen.texts(), quick) else {
         return;
     };
-    let placement = Placement::new(&scene, &window, context);
-    // In a comparison the guides belong to the present scene, which is on the right side.
-    let divider = match compared.drawn() {
-        Some((_, ComparisonLayout::SideBySide { columns })) => {
-            Some(placement.of_pixel(DVec2::new(columns.into(), 0.0)).x)
-        }
-        _ => None,
-    };
-    let mut visible = placement.picture.intersect(room.expand(MARGIN));
-    visible.min.x = divider.map_or(visible.min.x, |divider| visible.min.x.max(divider));
+    let (placement, scene) = (picture.placement(context), &picture.scene);
+    let shown = picture.shown_part(&placement);
+    let visible = shown.intersect(layout.bounds().expand(MARGIN));
     if !visible.is_positive() {
         return;
     }
@@ -110,39 +101,23 @@ fn show_guides(
         .filter(|(traced, _)| traced.effects == sky.effects)
         .map_or(&[][..], |(_, guides)| guides);
 
-    let legend = context
-        .memory(|memory| memory.area_rect(LEGEND))
-        .filter(|_| scene.view != View::Colour);
-    let top = legend.map_or(room.top(), |legend| legend.bottom() + MARGIN);
     let known: Vec<Guide> = quick.iter().chain(slow).cloned().collect();
-    let key = show_key(
-        context,
-        &scene,
+    show_key(
+        (context, layout),
+        scene,
         &known,
         &placement,
         HoleMass::of_suns(preferences.settings.hole_mass_suns),
-        [room.right(), top],
         Tracing {
             waiting,
-            right_side: divider.is_some(),
+            right_side: picture.divider(&placement).is_some(),
         },
     );
-
-    let free = egui::Rect::from_x_y_ranges(
-        visible.x_range(),
-        visible.top().max(room.top())..=visible.bottom().min(room.bottom() - READ_OUT_HEIGHT),
-    );
-    let taken: Vec<_> = legend.into_iter().chain([key]).collect();
     let strength = if waiting { STALE } else { 1.0 };
     draw_below_boxes(context, "guides", visible, |painter| {
         let labels = draw_lines(painter, &placement, scene.kerr(), quick, slow, strength);
-        if free.is_positive() {
-            draw_labels(painter, labels, free, &taken);
-        }
+        draw_labels(painter, labels, visible, layout);
     });
-    for name in [LEGEND, KEY].map(egui::Id::new) {
-        context.move_to_top(egui::LayerId::new(egui::Order::Background, name));
-    }
 }
 
 /// Draws the lines, and returns the labels of the guides that belong to the present sky. Flat guides are

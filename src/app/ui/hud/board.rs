@@ -1,14 +1,12 @@
 //! A board: texts in a dark box, in which they are legible over any picture.
 
+use crate::app::ui::layout::{Layout, Wish};
 use crate::app::ui::screen::BOX;
 use bevy_egui::egui;
-use egui::{Align2, Color32, FontId, Galley, LayerId, Order, Painter, Pos2, Rect, Vec2};
+use egui::text::LayoutJob;
+use egui::{Color32, FontId, Galley, LayerId, Order, Painter, Rect, Vec2};
 use std::sync::Arc;
 
-/// Height of the read-outs with three lines. The toast and the captions are above them.
-pub(super) const BOTTOM_ROW: f32 = 76.0;
-/// Minimum free width in points for the read-outs and the key hints.
-pub(super) const MIN_WIDTH: f32 = 240.0;
 /// Size of the text, in points.
 pub(super) const TEXT: f32 = 13.5;
 
@@ -23,8 +21,19 @@ pub(super) const WARNING: Color32 = Color32::from_rgb(255, 190, 90);
 const PADDING: Vec2 = Vec2::new(10.0, 6.0);
 const CORNER_RADIUS: f32 = 5.0;
 
+/// Widths, as shares of the largest one, and numbers of rows in which a text of one size is tried. Where
+/// there is no room for all of it, it ends in an ellipsis.
+const SHAPES: [(f32, usize); 5] = [
+    (1.0, usize::MAX),
+    (0.6, usize::MAX),
+    (0.4, usize::MAX),
+    (1.0, 2),
+    (1.0, 1),
+];
+
 /// Texts with their places, to be painted in a box.
 pub(super) struct Board {
+    name: &'static str,
     painter: Painter,
     texts: Vec<(Vec2, Arc<Galley>)>,
     size: Vec2,
@@ -41,17 +50,11 @@ impl Board {
         let mut painter = context.layer_painter(layer);
         painter.set_opacity(strength);
         Self {
+            name,
             painter,
             texts: Vec::new(),
             size: Vec2::ZERO,
         }
-    }
-
-    /// Puts the board above the panels.
-    pub(super) fn raise(&mut self) {
-        let name = self.painter.layer_id().id;
-        self.painter
-            .set_layer_id(LayerId::new(Order::Foreground, name));
     }
 
     /// Lays a text out in lines of at most `width` points.
@@ -77,33 +80,56 @@ impl Board {
         self.put(Vec2::new(0.0, self.size.y + gap), text);
     }
 
-    /// Width of its texts, in points.
-    pub(super) fn width(&self) -> f32 {
-        self.size.x
-    }
-
     /// Makes the board at least this wide, so that it keeps its width while its texts change.
     pub(super) fn widen(&mut self, width: f32) {
         self.size.x = self.size.x.max(width);
     }
 
-    /// The board's box with its corner or edge `anchor` at the place `at`.
-    pub(super) fn place(&self, anchor: Align2, at: Pos2) -> Rect {
-        let place = anchor.anchor_size(at, self.size + 2.0 * PADDING);
-        // Whole pixels keep the letters sharp.
-        place.translate(place.min.round() - place.min)
+    /// The board's size with its box, in points.
+    pub(super) fn size(&self) -> Vec2 {
+        self.size + 2.0 * PADDING
     }
 
-    /// Paints the board in the box that [`place`](Self::place) gives. Returns the box.
-    pub(super) fn paint(self, anchor: Align2, at: Pos2) -> Rect {
-        let place = self.place(anchor, at);
-        if !self.texts.is_empty() {
-            self.painter.rect_filled(place, CORNER_RADIUS, BOX);
+    /// Paints the board where the layout has room for it, as near as possible to its wish. Returns its
+    /// box, or `None` where there is no room.
+    pub(super) fn paint(self, layout: &mut Layout, wish: Wish) -> Option<Rect> {
+        if self.texts.is_empty() {
+            return None;
         }
+        let place = layout.place(self.name, self.size(), wish)?;
+        self.painter.rect_filled(place, CORNER_RADIUS, BOX);
         for (offset, text) in self.texts {
             self.painter
                 .galley(place.min + PADDING + offset, text, BRIGHT);
         }
-        place
+        Some(place)
+    }
+
+    /// Paints a board with one text of at most `width` points, in the first shape that has room.
+    pub(super) fn paint_text(
+        mut self,
+        layout: &mut Layout,
+        wish: Wish,
+        (text, size, colour): (&str, f32, Color32),
+        width: f32,
+    ) -> Option<Rect> {
+        let width = width.min(layout.bounds().width() - 2.0 * PADDING.x);
+        let beside = Wish {
+            covers_hole: false,
+            ..wish
+        };
+        let wishes = [beside, wish].map(|wish| SHAPES.map(|shape| (wish, shape)));
+        for (wish, (share, rows)) in wishes.into_iter().flatten() {
+            let font = FontId::proportional(size);
+            let mut job = LayoutJob::simple(text.to_owned(), font, colour, share * width);
+            job.wrap.max_rows = rows;
+            let galley = self.painter.layout_job(job);
+            self.size = galley.size();
+            if layout.wished(self.size(), wish).is_some() {
+                self.texts = vec![(Vec2::ZERO, galley)];
+                return self.paint(layout, wish);
+            }
+        }
+        None
     }
 }

@@ -6,22 +6,18 @@ mod words;
 pub use words::differences;
 
 use super::board::{BRIGHT, Board, QUIET, TEXT};
-use super::physics_off::physics_off;
 use crate::app::controls::bindings::Bindings;
 use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
-use crate::app::state::title::Title;
-use crate::app::ui::guides::Placement;
-use crate::app::ui::legend::LEGEND;
+use crate::app::ui::guides::PictureInWindow;
+use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::egui;
 use divider::show_divider;
-use egui::{Align2, Color32, Rect, pos2};
-use glam::DVec2;
-use lightfall_render::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, DrawnScene};
+use egui::{Align2, Color32, pos2};
+use lightfall_render::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode};
 
 /// Minimum distance of the divider from the picture's edges, as a share of its width, so that the mouse
 /// can take hold of it.
@@ -30,37 +26,22 @@ const MIN_SHARE: f32 = 0.01;
 const GAP: f32 = 10.0;
 /// Largest number of settings in a label.
 const MAX_SETTINGS: usize = 4;
-/// Height of the scene's title in the corner, in points.
-const TITLE_HEIGHT: f32 = 76.0;
-/// Height of the line that names what is switched off, in points.
-const PHYSICS_OFF_HEIGHT: f32 = 36.0;
 
 pub(super) fn show_comparison(
     mut screen: Screen,
-    window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<DrawnScene>,
-    compared: Res<ComparedScene>,
+    picture: PictureInWindow,
     bindings: Res<Bindings>,
-    (overlays, title, shown): (Res<Overlays>, Res<Title>, Res<ShownPicture>),
+    (overlays, shown): (Res<Overlays>, Res<ShownPicture>),
     mut comparison: ResMut<Comparison>,
 ) {
-    let Some((context, room)) = screen.room().filter(|_| comparison.0.is_some()) else {
+    let Some((context, layout)) = screen.texts().filter(|_| comparison.0.is_some()) else {
         return;
     };
-    let above = if title.is_shown() {
-        TITLE_HEIGHT
-    } else if physics_off(&scene).is_some() {
-        PHYSICS_OFF_HEIGHT
-    } else {
-        0.0
-    };
-    let labels = Labels {
-        context,
-        room: room.with_min_y(room.top() + above),
-    };
+    let room = layout.bounds();
+    let mut labels = Labels { context, layout };
     let key = |id| bindings.label(id);
     let sides = shown_sides(&shown);
-    match &*compared {
+    match &*picture.compared {
         ComparedScene::None => {}
         ComparedScene::Undrawable(reason) => labels.show_centred(&[
             ("The pinned settings are not drawn", BRIGHT),
@@ -68,9 +49,9 @@ pub(super) fn show_comparison(
         ]),
         ComparedScene::Drawn(drawn) => match drawn.1 {
             ComparisonLayout::SideBySide { columns } => {
-                let placement = Placement::new(&scene, &window, context);
+                let placement = picture.placement(context);
                 let picture = placement.picture;
-                let x = placement.of_pixel(DVec2::new(columns.into(), 0.0)).x;
+                let x = placement.of_column(columns);
                 let height = picture.intersect(context.content_rect()).y_range();
                 if room.x_range().contains(x)
                     && let Some(dragged) = show_divider(context, x, height, !overlays.inspector)
@@ -140,34 +121,33 @@ fn shown_sides(shown: &ShownPicture) -> Option<[Vec<String>; 2]> {
 /// The labels' surroundings.
 struct Labels<'a> {
     context: &'a egui::Context,
-    /// Between the panels and below the other texts at the top.
-    room: Rect,
+    layout: &'a mut Layout,
 }
 
 impl Labels<'_> {
     /// Shows the label of a side, unless the side is too narrow for it.
-    fn show(&self, name: &'static str, settings: &[String], x: f32, anchor: Align2) {
+    fn show(&mut self, name: &'static str, settings: &[String], x: f32, anchor: Align2) {
         let mut board = Board::new(self.context, name, 1.0);
         for setting in settings {
             board.add_line(board.text(setting, TEXT, BRIGHT, f32::INFINITY), 2.0);
         }
-        let label = board.place(anchor, pos2(x, self.room.top()));
-        if label.left() >= self.room.left() && label.right() <= self.room.right() {
-            // The label does not cover the legend of a view.
-            let legend = self.context.memory(|memory| memory.area_rect(LEGEND));
-            let covered = legend.filter(|legend| legend.intersects(label));
-            let y = covered.map_or(label.top(), |legend| legend.bottom() + GAP);
-            board.paint(anchor, pos2(x, y));
-        }
+        let wish = Wish {
+            anchor,
+            at: pos2(x, self.layout.bounds().top()),
+            slide: Slide::Upright,
+            covers_hole: false,
+        };
+        board.paint(self.layout, wish);
     }
 
     /// Shows a label in the middle of the upper edge.
-    fn show_centred(&self, lines: &[(&str, Color32)]) {
+    fn show_centred(&mut self, lines: &[(&str, Color32)]) {
         let mut board = Board::new(self.context, "comparison", 1.0);
-        let width = (self.room.width() - 2.0 * GAP).max(1.0);
+        let width = (self.layout.bounds().width() - 2.0 * GAP).max(1.0);
         for (line, colour) in lines {
             board.add_line(board.text(line, TEXT, *colour, width), 2.0);
         }
-        board.paint(Align2::CENTER_TOP, self.room.center_top());
+        let wish = self.layout.at(Align2::CENTER_TOP, Slide::Anywhere);
+        board.paint(self.layout, wish);
     }
 }

@@ -1,12 +1,13 @@
 //! Shows the title, the captions and the progress of a journey.
 
-use super::board::{BOTTOM_ROW, BRIGHT, Board, WARNING};
+use super::board::{BRIGHT, Board, WARNING};
+use super::presence::Presence;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::paused::Paused;
-use crate::app::state::preferences::Preferences;
-use crate::app::ui::screen::{BOX, MARGIN, Screen};
+use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::screen::{BOX, Screen};
 use bevy::prelude::*;
-use bevy_egui::egui;
+use bevy_egui::egui::{self, Align2, Rect, vec2};
 
 /// Size of captions, in points.
 const CAPTION: f32 = 20.0;
@@ -16,74 +17,72 @@ const TITLE: f32 = 32.0;
 const TOAST: f32 = 44.0;
 /// Largest width of the words, in points.
 const MAX_WIDTH: f32 = 860.0;
-/// Seconds in which words fade in and fade out.
-const FADE: f64 = 0.4;
 /// Height of the progress bar, in points.
 const BAR: f32 = 4.0;
+/// Radius of the sign of a pause, in points.
+const PAUSE: f32 = 24.0;
 
 pub(super) fn show_journey(
     mut screen: Screen,
     player: Res<JourneyPlayer>,
     paused: Res<Paused>,
-    preferences: Res<Preferences>,
+    presence: Res<Presence>,
 ) {
-    let Some((context, room)) = screen.room().filter(|_| player.is_playing()) else {
+    let Some((context, layout)) = screen.texts().filter(|_| player.is_playing()) else {
         return;
     };
-    show_words(context, room, &player, preferences.settings.reduced_motion);
-    show_progress(context, player.share() as f32);
+    show_progress(context, layout, player.share() as f32);
+    show_words(context, layout, &player, &presence);
     if paused.0 {
-        show_pause(context, room.center_top());
+        show_pause(context, layout);
     }
 }
 
 fn show_words(
     context: &egui::Context,
-    room: egui::Rect,
+    layout: &mut Layout,
     player: &JourneyPlayer,
-    reduced_motion: bool,
+    presence: &Presence,
 ) {
     let Some(words) = player.words() else {
         return;
     };
-    let strength = if reduced_motion {
-        1.0
+    let strength = presence.opacity(words.since as f32, words.left as f32);
+    let board = Board::new(context, "journey", strength);
+    let (size, wish) = if words.is_title {
+        let mut wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
+        wish.at.y += 0.12 * layout.bounds().height();
+        (TITLE, wish.even_over_hole())
     } else {
-        (words.since.min(words.left) / FADE).clamp(0.0, 1.0) as f32
+        (CAPTION, layout.above_read_outs(TOAST))
     };
-    let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
-    let mut board = Board::new(context, "journey", strength);
-    let (size, anchor, y) = if words.is_title {
-        let top = room.top() + 0.12 * room.height();
-        (TITLE, egui::Align2::CENTER_TOP, top)
-    } else {
-        let bottom = (room.bottom() - BOTTOM_ROW - TOAST).max(room.center().y);
-        (CAPTION, egui::Align2::CENTER_BOTTOM, bottom)
-    };
-    board.add_line(board.text(words.text, size, BRIGHT, width), 0.0);
-    board.paint(anchor, egui::pos2(room.center().x, y));
+    board.paint_text(layout, wish, (words.text, size, BRIGHT), MAX_WIDTH);
 }
 
 /// Shows a bar along the lower edge of the window: the share of the journey that has been flown.
-fn show_progress(context: &egui::Context, share: f32) {
+fn show_progress(context: &egui::Context, layout: &mut Layout, share: f32) {
     let layer = egui::LayerId::new(egui::Order::Background, "journey progress".into());
     let painter = context.layer_painter(layer);
     let mut bar = context.content_rect();
     bar.min.y = bar.bottom() - BAR;
+    layout.take("journey progress", bar);
     painter.rect_filled(bar, 0.0, BOX);
     bar.set_width(bar.width() * share);
     painter.rect_filled(bar, 0.0, WARNING);
 }
 
-/// Shows two upright bars below the middle of the upper edge.
-fn show_pause(context: &egui::Context, top: egui::Pos2) {
+/// Shows two upright bars near the middle of the upper edge.
+fn show_pause(context: &egui::Context, layout: &mut Layout) {
     let layer = egui::LayerId::new(egui::Order::Background, "pause".into());
     let painter = context.layer_painter(layer);
-    let centre = top + egui::vec2(0.0, 60.0);
-    painter.circle_filled(centre, 24.0, BOX);
+    let wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
+    let Some(place) = layout.place("pause", vec2(2.0 * PAUSE, 2.0 * PAUSE), wish) else {
+        return;
+    };
+    let centre = place.center();
+    painter.circle_filled(centre, PAUSE, BOX);
     for side in [-5.5, 5.5] {
-        let size = egui::vec2(6.0, 20.0);
-        let upright = egui::Rect::from_center_size(centre + egui::vec2(side, 0.0), size);
+        let upright = Rect::from_center_size(centre + vec2(side, 0.0), vec2(6.0, 20.0));
         painter.rect_filled(upright, 1.0, BRIGHT);
     }
 }

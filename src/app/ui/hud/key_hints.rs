@@ -1,9 +1,8 @@
 //! The most important keys, in the lower right corner. At first these are the keys that a newcomer
 //! needs. Once some have been used, only the key of the help appears, while the mouse moves.
 
-use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT};
+use super::board::{BRIGHT, Board, QUIET, TEXT};
 use super::presence::Presence;
-use super::read_outs::ReadOutsWidth;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::held::HeldControls;
@@ -11,10 +10,10 @@ use crate::app::input::typing::Typing;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::screen::{MARGIN, Screen};
-use crate::app::ui::touch_bar::TouchBar;
+use crate::app::ui::layout::Slide;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::egui;
+use bevy_egui::egui::{self, Align2};
 use std::collections::BTreeSet;
 
 /// Number of different controls after which the user counts as experienced.
@@ -126,19 +125,16 @@ pub(super) fn show_key_hints(
     mut screen: Screen,
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
-    (presence, bar): (Res<Presence>, Res<TouchBar>),
+    presence: Res<Presence>,
     (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
-    beside: Res<ReadOutsWidth>,
 ) {
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
     let strength = if named { 1.0 } else { presence.of_mouse() };
-    let is_shown =
-        |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH && !bar.is_open();
-    let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
+    let Some((context, layout)) = screen.texts().filter(|_| strength > 0.0) else {
         return;
     };
-    let free = room.width() - beside.0 - 3.0 * MARGIN;
+    let wish = layout.at(Align2::RIGHT_BOTTOM, Slide::Nowhere);
     let mut hints = if player.is_playing() {
         JOURNEY_KEYS.to_vec()
     } else if free_fall.is_moving() {
@@ -151,8 +147,7 @@ pub(super) fn show_key_hints(
     while !hints.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
         put_hints(&mut board, &hints, &bindings);
-        if board.width() <= free {
-            board.paint(egui::Align2::RIGHT_BOTTOM, room.right_bottom());
+        if board.paint(layout, wish).is_some() {
             break;
         }
         let lowest = hints.iter().map(|(.., rank)| *rank).min();

@@ -1,9 +1,9 @@
 //! The head-up display: texts over the picture's edges.
 //!
-//! Each part has its place: the title of a scene in the upper left corner, the physics that is switched
-//! off at the top, the read-outs in the lower left corner, the keys in the lower right corner, the
-//! toast at the bottom, a journey's captions above it, and a comparison's labels beside its divider.
-//! The read-outs and the keys disappear while nothing happens.
+//! Each part has a wish where the [layout](super::layout) places it: the title of a scene in the upper
+//! left corner, the physics that is switched off at the top, the read-outs in the lower left corner, the
+//! keys in the lower right corner, the toast at the bottom, a journey's captions above it, and a
+//! comparison's labels beside its divider. The read-outs and the keys disappear while nothing happens.
 
 mod board;
 mod comparison;
@@ -19,22 +19,22 @@ pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
 
+use crate::app::ui::layout::Importance;
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<title::TitleBox>()
-        .init_resource::<read_outs::ReadOutsWidth>()
-        .add_plugins((presence::plugin, key_hints::plugin))
+    app.add_plugins((presence::plugin, key_hints::plugin))
         .add_systems(
             EguiPrimaryContextPass,
             (
-                (title::show_title, physics_off::show_physics_off).chain(),
-                read_outs::show_read_outs,
-                key_hints::show_key_hints,
-                toast::show_toast,
-                journey::show_journey,
-                comparison::show_comparison,
+                journey::show_journey.in_set(Importance::Words),
+                toast::show_toast.in_set(Importance::Message),
+                physics_off::show_physics_off.in_set(Importance::Warning),
+                comparison::show_comparison.in_set(Importance::Sides),
+                read_outs::show_read_outs.in_set(Importance::ReadOuts),
+                title::show_title.in_set(Importance::Title),
+                key_hints::show_key_hints.in_set(Importance::KeyHints),
             ),
         );
 }

@@ -1,11 +1,11 @@
 //! The line at the top that is shown while some of the physics is switched off.
 
 use super::board::{Board, TEXT, WARNING};
-use super::title::TitleBox;
 use crate::app::controls::sections::field_in_words;
-use crate::app::ui::screen::{MARGIN, Screen};
+use crate::app::ui::layout::Slide;
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::egui;
+use bevy_egui::egui::Align2;
 use lightfall_core::scene::{FIELDS, Scene, Value};
 use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene};
 
@@ -26,9 +26,8 @@ pub(super) fn show_physics_off(
     mut screen: Screen,
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
-    title: Res<TitleBox>,
 ) {
-    let (Some(mut line), Some((context, room))) = (physics_off(&scene), screen.room()) else {
+    let (Some(mut line), Some((context, layout))) = (physics_off(&scene), screen.texts()) else {
         return;
     };
     // In a comparison of different physics, the present scene is on the right side.
@@ -37,14 +36,7 @@ pub(super) fn show_physics_off(
     {
         line = line.replacen("Physics off", "Right side off", 1);
     }
-    let mut board = Board::new(context, "physics off", 1.0);
-    board.add_line(board.text(&line, TEXT, WARNING, room.width().max(1.0)), 0.0);
-    // In the middle, or below a title that would overlap it.
-    let middle = board.place(egui::Align2::CENTER_TOP, room.center_top());
-    if let Some(title) = title.0.filter(|title| title.right() >= middle.left()) {
-        let below = egui::pos2(room.left(), title.bottom() + 0.5 * MARGIN);
-        board.paint(egui::Align2::LEFT_TOP, below);
-    } else {
-        board.paint(egui::Align2::CENTER_TOP, room.center_top());
-    }
+    let board = Board::new(context, "physics off", 1.0);
+    let wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
+    board.paint_text(layout, wish, (&line, TEXT, WARNING), f32::INFINITY);
 }

@@ -4,6 +4,7 @@ use crate::app::input::hands::Hands;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::FADE;
 use crate::app::state::preferences::Preferences;
 use bevy::input::mouse::MouseWheel;
 use bevy::prelude::*;
@@ -15,9 +16,6 @@ use std::time::Duration;
 const STAY: Duration = Duration::from_secs(6);
 /// How long the mouse counts as moving after its last motion.
 const MOUSE_STAY: Duration = Duration::from_secs(3);
-/// Duration of fading.
-const FADE: Duration = Duration::from_millis(400);
-
 /// The opacity of the read-outs and the keys.
 #[derive(Resource, Default)]
 pub(super) struct Presence {
@@ -42,22 +40,19 @@ impl Presence {
     }
 
     /// Opacity of something that begins to fade at the time `end`.
-    pub(super) fn left(&self, end: Duration) -> f32 {
-        let late = self.now.saturating_sub(end).as_secs_f32();
-        if self.reduced_motion && late > 0.0 {
-            0.0
-        } else {
-            (1.0 - late / FADE.as_secs_f32()).max(0.0)
-        }
+    fn left(&self, end: Duration) -> f32 {
+        let left = (end + FADE).as_secs_f32() - self.now.as_secs_f32();
+        self.opacity(f32::INFINITY, left)
     }
 
-    /// Opacity of something that appeared this long ago. It begins at one half, so that its first frame
-    /// is legible.
-    pub(super) fn grown(&self, age: Duration) -> f32 {
+    /// Opacity of words that appeared `since` seconds ago and go in `left` seconds. They begin at one
+    /// half, so that their first frame is legible.
+    pub(super) fn opacity(&self, since: f32, left: f32) -> f32 {
+        let fade = FADE.as_secs_f32();
         if self.reduced_motion {
-            1.0
+            f32::from(left > 0.0)
         } else {
-            (0.5 + 0.5 * age.as_secs_f32() / FADE.as_secs_f32()).min(1.0)
+            (0.5 + 0.5 * since / fade).min(left / fade).clamp(0.0, 1.0)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The read-outs: the camera's place, its motion, and its flying speed.
 
-use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT};
+use super::board::{BRIGHT, Board, QUIET, TEXT};
 use super::presence::Presence;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::FlightInput;
@@ -11,10 +11,10 @@ use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::paused::Paused;
+use crate::app::ui::layout::{Layout, Slide};
 use crate::app::ui::screen::Screen;
-use crate::app::ui::touch_bar::TouchBar;
 use bevy::prelude::*;
-use bevy_egui::egui;
+use bevy_egui::egui::{self, Align2};
 use lightfall_core::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_render::DrawnScene;
@@ -45,10 +45,6 @@ impl ReadOut {
         }
     }
 }
-
-/// Width of the board, which the keys beside it leave free.
-#[derive(Resource, Default)]
-pub(super) struct ReadOutsWidth(pub(super) f32);
 
 /// The read-outs of a scene in two lines: place and motion. `speed` is the factor of the flying speed.
 #[must_use]
@@ -112,18 +108,14 @@ pub(super) fn show_read_outs(
     free_fall: Res<FreeFall>,
     (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
     bindings: Res<Bindings>,
-    (presence, bar): (Res<Presence>, Res<TouchBar>),
-    mut width: ResMut<ReadOutsWidth>,
+    presence: Res<Presence>,
 ) {
     let mut strength = presence.of_read_outs();
     // A mode that changes what the keys do is always named.
     if orbit.is_on() {
         strength = 1.0;
     }
-    width.0 = 0.0;
-    let is_shown =
-        |room: &egui::Rect| strength > 0.0 && room.width() >= MIN_WIDTH && !bar.is_open();
-    let Some((context, room)) = screen.room().filter(|(_, room)| is_shown(room)) else {
+    let Some((context, layout)) = screen.texts().filter(|_| strength > 0.0) else {
         return;
     };
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
@@ -139,21 +131,37 @@ pub(super) fn show_read_outs(
     }
     // The flying speed is not a speed of the observer.
     motion.retain(|read_out| !moves || read_out.label != SPEED);
-    let mut board = Board::new(context, "read-outs", strength);
-    put_columns(&mut board, &lines, room.width());
     let modes = [
         orbit.status(&bindings),
         journey(&player, paused.0, &bindings),
         free_fall.clocks(&scene),
         disk_clock::status(&scene, moves, paused.0, &bindings),
     ];
-    for line in modes {
-        if !line.is_empty() {
-            board.add_line(board.text(&line, TEXT, BRIGHT, room.width()), GAP[1]);
+    let modes: Vec<_> = modes.into_iter().filter(|line| !line.is_empty()).collect();
+    // Where there is no room for all lines, the modes are shown alone, or the place.
+    let parts: [(&[_], &[_]); 3] = [(&lines, &modes), (&[], &modes), (&lines[..1], &[])];
+    for (lines, modes) in parts {
+        if paint_lines(context, layout, strength, (lines, modes)) {
+            break;
         }
     }
-    let place = board.paint(egui::Align2::LEFT_BOTTOM, room.left_bottom());
-    width.0 = place.width();
+}
+
+/// Paints lines of read-outs and what is under way below them. Returns whether there is room.
+fn paint_lines(
+    context: &egui::Context,
+    layout: &mut Layout,
+    strength: f32,
+    (lines, modes): (&[Vec<ReadOut>], &[String]),
+) -> bool {
+    let width = layout.bounds().width();
+    let mut board = Board::new(context, "read-outs", strength);
+    put_columns(&mut board, lines, width - 2.0 * GAP[0]);
+    for line in modes {
+        board.add_line(board.text(line, TEXT, BRIGHT, width - 2.0 * GAP[0]), GAP[1]);
+    }
+    let wish = layout.at(Align2::LEFT_BOTTOM, Slide::Anywhere);
+    board.paint(layout, wish).is_some()
 }
 
 /// Puts lines of read-outs in aligned columns. If there is not enough room, the last columns are left

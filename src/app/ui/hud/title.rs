@@ -3,14 +3,14 @@
 use super::board::{BRIGHT, Board, QUIET};
 use super::presence::Presence;
 use crate::app::state::title::Title;
+use crate::app::ui::layout::Slide;
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::egui;
+use bevy_egui::egui::Align2;
 use lightfall_render::Progress;
-use std::time::Duration;
 
-/// How long it is shown, fades included.
-const DURATION: Duration = Duration::from_secs(6);
+/// How long it is shown, fades included, in seconds.
+const DURATION: f32 = 6.0;
 /// Size of the name, in points.
 const NAME: f32 = 26.0;
 /// Size of the line below it, in points.
@@ -18,19 +18,13 @@ const LINE: f32 = 15.0;
 /// Largest width of the line, in points.
 const MAX_WIDTH: f32 = 520.0;
 
-/// The box of the title, in points. None while no title is shown.
-#[derive(Resource, Default)]
-pub(super) struct TitleBox(pub(super) Option<egui::Rect>);
-
 pub(super) fn show_title(
     mut screen: Screen,
     time: Res<Time<Real>>,
     progress: Res<Progress>,
     presence: Res<Presence>,
     mut title: ResMut<Title>,
-    mut title_box: ResMut<TitleBox>,
 ) {
-    title_box.0 = None;
     if !title.is_shown() {
         return;
     }
@@ -40,21 +34,22 @@ pub(super) fn show_title(
     if title.drawn.is_none() && progress.is_shown() {
         title.drawn = Some(now);
     }
+    let since = |moment| now.saturating_sub(moment).as_secs_f32();
     let left = title
         .drawn
-        .map_or(1.0, |drawn| presence.left(drawn + DURATION));
+        .map_or(DURATION, |drawn| DURATION - since(drawn));
     if left <= 0.0 {
         return title.close();
     }
-    let Some((context, room)) = screen.room() else {
+    let Some((context, layout)) = screen.texts() else {
         return;
     };
-    let strength = left.min(presence.grown(now.saturating_sub(came)));
-    let width = room.width().clamp(1.0, MAX_WIDTH);
+    let strength = presence.opacity(since(came), left);
+    let width = layout.bounds().width().clamp(1.0, MAX_WIDTH);
     let mut board = Board::new(context, "title", strength);
     board.add_line(board.text(&title.name, NAME, BRIGHT, width), 0.0);
     if !title.line.is_empty() {
         board.add_line(board.text(&title.line, LINE, QUIET, width), 2.0);
     }
-    title_box.0 = Some(board.paint(egui::Align2::LEFT_TOP, room.left_top()));
+    board.paint(layout, layout.at(Align2::LEFT_TOP, Slide::Anywhere));
 }

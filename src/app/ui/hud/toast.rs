@@ -1,43 +1,22 @@
 //! Draws the toast at the bottom of the window, above the read-outs.
 
-use super::board::{BOTTOM_ROW, BRIGHT, Board, MIN_WIDTH};
-use crate::app::state::overlays::Overlays;
-use crate::app::state::preferences::Preferences;
+use super::board::{BRIGHT, Board};
+use super::presence::Presence;
 use crate::app::state::toast::Toast;
-use crate::app::ui::screen::{MARGIN, free_room};
+use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, egui};
 
 /// Size of its text, in points.
 const TEXT: f32 = 15.0;
 /// Largest width of its text, in points.
 const MAX_WIDTH: f32 = 620.0;
 
-pub(super) fn show_toast(
-    mut contexts: EguiContexts,
-    toast: Res<Toast>,
-    overlays: Res<Overlays>,
-    preferences: Res<Preferences>,
-) -> Result {
-    if toast.text().is_empty() {
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    let mut strength = toast.strength();
-    if preferences.settings.reduced_motion {
-        strength = strength.ceil();
-    }
-    let mut board = Board::new(context, "toast", strength);
-    // The toast is between the panels, or over them if they leave too little room.
-    let mut room = free_room(context, &overlays);
-    if room.width() < MIN_WIDTH {
-        room = context.content_rect().shrink(MARGIN);
-        board.raise();
-    }
-    let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
-    board.add_line(board.text(toast.text(), TEXT, BRIGHT, width), 0.0);
-    let bottom = (room.bottom() - BOTTOM_ROW).max(room.center().y);
-    let place = egui::pos2(room.center().x, bottom);
-    board.paint(egui::Align2::CENTER_BOTTOM, place);
-    Ok(())
+pub(super) fn show_toast(mut screen: Screen, toast: Res<Toast>, presence: Res<Presence>) {
+    let Some((context, layout)) = screen.messages().filter(|_| !toast.text().is_empty()) else {
+        return;
+    };
+    let strength = presence.opacity(toast.since(), toast.left());
+    let board = Board::new(context, "toast", strength);
+    let wish = layout.above_read_outs(0.0);
+    board.paint_text(layout, wish, (toast.text(), TEXT, BRIGHT), MAX_WIDTH);
 }

@@ -15,17 +15,16 @@ use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
-use crate::app::ui::guides::Placement;
+use crate::app::ui::guides::PictureInWindow;
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use colours::path_colour;
 use drawing::{Sketch, Viewpoint, legend};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
-use lightfall_core::scene::{Picture, Scene};
-use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
+use lightfall_core::scene::Scene;
+use lightfall_render::{ComparedScene, ComparisonLayout};
 use ray_worker::{InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
@@ -80,51 +79,39 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(EguiPrimaryContextPass, show_inspector);
 }
 
-/// The pixel of the picture at a place of the window, in pixels from the picture's upper left
-/// corner. None outside the picture.
-fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
-    let shown = letterbox(picture, window);
-    let share = ((place - shown.offset) / shown.extent).as_dvec2();
-    let inside = share.min_element() >= 0.0 && share.max_element() < 1.0;
-    // Rays go through the middle of pixels.
-    inside.then(|| (share * picture.size().as_dvec2()).floor() + 0.5)
-}
-
 /// Inspects the pixel that is clicked or tapped.
 fn inspect_chosen_pixel(
     buttons: Res<ButtonInput<MouseButton>>,
     (over, fingers): (Res<PointerOverPicture>, Res<Fingers>),
-    window: Single<&Window, With<PrimaryWindow>>,
     overlays: Res<Overlays>,
-    scene: Res<DrawnScene>,
-    compared: Res<ComparedScene>,
+    picture: PictureInWindow,
     mut inspector: ResMut<Inspector>,
 ) {
     if !overlays.shows_inspector() {
         return;
     }
-    let clicks = over.0 && buttons.just_pressed(MouseButton::Left);
-    let clicked = window.physical_cursor_position().filter(|_| clicks);
-    let tapped = fingers.tap.map(|tap| tap * window.scale_factor());
-    let pixel = tapped
-        .or(clicked)
-        .and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
+    let clicked = over.0 && buttons.just_pressed(MouseButton::Left);
+    let pixel = match fingers.tap {
+        Some(tap) => picture.pixel_at(tap),
+        None if clicked => picture.pixel_of_mouse(),
+        None => None,
+    };
     if let Some(pixel) = pixel {
-        let scene = scene_at(pixel, &scene, &compared).clone();
+        let scene = scene_at(pixel, &picture.scene, &picture.compared).clone();
         inspector.asked = Some((scene, pixel));
         inspector.ask();
     }
 }
 
 /// The scene that a pixel shows: the pinned one left of a comparison's divider.
-fn scene_at<'a>(pixel: DVec2, scene: &'a DrawnScene, compared: &'a ComparedScene) -> &'a Scene {
+fn scene_at<'a>(pixel: DVec2, scene: &'a Scene, compared: &'a ComparedScene) -> &'a Scene {
     match compared.drawn() {
         Some((pinned, ComparisonLayout::SideBySide { columns }))
             if pixel.x < f64::from(columns) =>
         {
             pinned.scene()
         }
-        _ => scene.scene(),
+        _ => scene,
     }
 }
 
@@ -162,8 +149,7 @@ fn receive_rays(mut inspector: ResMut<Inspector>, mut toast: ResMut<Toast>) {
 
 fn show_inspector(
     mut contexts: EguiContexts,
-    window: Single<&Window, With<PrimaryWindow>>,
-    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
+    picture: PictureInWindow,
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
     mut inspector: ResMut<Inspector>,
@@ -179,8 +165,8 @@ fn show_inspector(
     let pixel = clicked
         .and_then(|ray| ray.numbers.pixel)
         .unwrap_or_default();
-    let scene = scene_at(pixel.into(), &scene, &compared);
-    mark_rays(context, inspector, scene, &window);
+    let scene = scene_at(pixel.into(), &picture.scene, &picture.compared);
+    mark_rays(context, inspector, scene, &picture);
     docked(context, "inspector", Side::Left, INSPECTOR_WIDTH, |ui| {
         ui.horizontal(|ui| {
             ui.strong("Ray inspector");
@@ -290,14 +276,19 @@ fn choose_fan(ui: &mut egui::Ui, inspector: &mut Inspector) {
 }
 
 /// Marks the rays on the picture, unless the picture has changed since the click.
-fn mark_rays(context: &egui::Context, inspector: &Inspector, scene: &Scene, window: &Window) {
+fn mark_rays(
+    context: &egui::Context,
+    inspector: &Inspector,
+    scene: &Scene,
+    picture: &PictureInWindow,
+) {
     let is_shown = |answer: &&InspectedRays| answer.scene.without_clock() == scene.without_clock();
     let Some(answer) = inspector.answer.as_ref().filter(is_shown) else {
         return;
     };
     let layer = egui::LayerId::new(egui::Order::Background, "inspected".into());
     let painter = context.layer_painter(layer);
-    let placement = Placement::new(scene, window, context);
+    let placement = picture.placement(context);
     for (i, inspected) in answer.rays.iter().enumerate() {
         let pixel = DVec2::from_array(inspected.numbers.pixel.unwrap_or_default());
         let centre = placement.of_pixel(pixel);

@@ -40,16 +40,13 @@ pub(super) fn show_menu(
             // The shade takes every click beside the menu.
             ui.painter().rect_filled(screen, 0.0, SHADE);
             ui.allocate_rect(screen, Sense::click_and_drag());
-            let (title, width) = if actions.menu.shows_places() {
-                ("Places", PLACES_WIDTH)
+            let title = if actions.menu.shows_places() {
+                "Places"
             } else {
-                ("Lightfall", WIDTH)
+                "Lightfall"
             };
             let entries = actions.menu.entries();
-            let height =
-                ENTRY_HEIGHT * entries.len() as f32 + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;
-            let size = egui::vec2(width, height).min(screen.size() - egui::Vec2::splat(16.0));
-            let frame = egui::Rect::from_center_size(screen.center(), size);
+            let frame = menu_frame(screen, &actions.menu);
             ui.painter()
                 .rect_filled(frame, 10.0, Color32::from_rgb(12, 12, 16));
             let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(frame.shrink(PADDING)));
@@ -59,6 +56,19 @@ pub(super) fn show_menu(
         actions.choose(entry);
     }
     Ok(())
+}
+
+/// The box of the menu on a screen.
+pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
+    let width = if menu.shows_places() {
+        PLACES_WIDTH
+    } else {
+        WIDTH
+    };
+    let entries = ENTRY_HEIGHT * menu.entries().len() as f32;
+    let height = entries + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;
+    let size = egui::vec2(width, height).min(screen.size() - egui::Vec2::splat(16.0));
+    egui::Rect::from_center_size(screen.center(), size)
 }
 
 /// Shows the title, the entries and a line about the keys. Returns the entry that was clicked.

@@ -6,6 +6,8 @@ mod drawing;
 mod escape;
 mod navigation;
 
+pub(crate) use drawing::menu_frame;
+
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 

@@ -24,8 +24,8 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use lightfall_render::PictureArea;
 use machine_page::{Machine, MachinePage};
 use presets_page::PresetsPage;
 use readouts_page::ReadoutsPage;
@@ -83,7 +83,7 @@ fn open_settings(
 
 fn show_panel(
     mut contexts: EguiContexts,
-    window: Single<&Window, With<PrimaryWindow>>,
+    area: Res<PictureArea>,
     mut overlays: ResMut<Overlays>,
     mut panel: ResMut<Panel>,
     mut editor: SceneEditor,
@@ -123,7 +123,7 @@ fn show_panel(
             .auto_shrink(false)
             .show(ui, |ui| match panel.page {
                 Page::Scene => {
-                    let size = window.physical_size();
+                    let size = area.0.size();
                     scene_page::show(ui, &mut editor, &steps, &bindings, &mut paused, size);
                 }
                 Page::Presets => panel.presets.show(ui, &mut editor, &clipboard),
