@@ -98,6 +98,7 @@ fn the_presets_own_shape_has_a_frame_and_its_own_cells() {
     let size = UVec2::new(1366, 768);
     resolution.set_canvas(Canvas {
         size,
+        window: size,
         shape: PictureShape::Preset,
         max_pixels: u64::MAX,
     });
@@ -126,8 +127,10 @@ fn random_pictures_in_random_windows_can_be_drawn_and_keep_their_own_size() {
         let own = Drawable::new(scene).unwrap();
         let longest = random.of(&[3, 100, 3000, 20_000]);
         let mut resolution = Resolution::default();
+        let window = UVec2::new(random.integer(1, longest), random.integer(1, longest));
         resolution.set_canvas(Canvas {
-            size: UVec2::new(random.integer(1, longest), random.integer(1, longest)),
+            size: UVec2::new(random.integer(1, window.x), window.y),
+            window,
             shape: random.of(&[PictureShape::Window, PictureShape::Preset]),
             max_pixels: random.of(&[1, 400_000, u64::MAX]),
         });

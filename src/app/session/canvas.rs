@@ -65,6 +65,7 @@ pub(super) fn measure_canvas(
     area.set_if_neq(PictureArea(free));
     resolution.set_canvas(Canvas {
         size: free.size(),
+        window: size,
         shape: preferences.settings.picture_shape,
         max_pixels,
     });

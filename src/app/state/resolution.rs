@@ -10,12 +10,25 @@ use lightfall_render::letterbox;
 /// The window that the picture is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Canvas {
-    /// Size in pixels.
+    /// Size in pixels of the part that the panels leave to the picture.
     pub size: UVec2,
+    /// Size in pixels of the whole window.
+    pub window: UVec2,
     /// Whether the picture has the window's shape or the scene's own.
     pub shape: PictureShape,
     /// The largest number of pixels of a picture without cells.
     pub max_pixels: u64,
+}
+
+impl Canvas {
+    /// The picture of a scene that suits a part of the window of this size.
+    fn fit(&self, own: &Picture, size: UVec2) -> Picture {
+        let size = match self.shape {
+            PictureShape::Window => size,
+            PictureShape::Preset => letterbox(own, size).extent.as_uvec2(),
+        };
+        fit(own, size, self.max_pixels)
+    }
 }
 
 /// The window, and the share of its pixels that is drawn.
@@ -48,16 +61,16 @@ impl Resolution {
     }
 
     /// The picture of a scene with the window's shape and size, as a picture file of what the
-    /// window shows has it. At its own size where there is no window, or where it has the preset's
-    /// shape.
+    /// window shows without panels has it. At its own size where there is no window, or where it has
+    /// the preset's shape.
     #[must_use]
     pub fn in_window(&self, own: &Picture) -> Picture {
         match self.canvas {
             Some(Canvas {
-                size,
+                window,
                 shape: PictureShape::Window,
                 ..
-            }) => resized(own, size.min(UVec2::splat(MAX_PICTURE_SIDE))),
+            }) => resized(own, window.min(UVec2::splat(MAX_PICTURE_SIDE))),
             _ => *own,
         }
     }
@@ -66,20 +79,15 @@ impl Resolution {
     /// otherwise one that suits the window.
     #[must_use]
     pub fn at_rest(&self, own: &Picture) -> Picture {
-        match self.canvas {
-            None => *own,
-            Some(Canvas {
-                size,
-                shape,
-                max_pixels,
-            }) => {
-                let size = match shape {
-                    PictureShape::Window => size,
-                    PictureShape::Preset => letterbox(own, size).extent.as_uvec2(),
-                };
-                fit(own, size, max_pixels)
-            }
-        }
+        self.canvas
+            .map_or(*own, |canvas| canvas.fit(own, canvas.size))
+    }
+
+    /// As [`at_rest`](Self::at_rest), in a window without panels.
+    #[must_use]
+    pub fn at_rest_without_panels(&self, own: &Picture) -> Picture {
+        self.canvas
+            .map_or(*own, |canvas| canvas.fit(own, canvas.window))
     }
 
     /// The number of pixels of the picture at rest over the number that the scene asks for.

@@ -74,6 +74,12 @@ impl SceneEditor<'_> {
         self.resolution.at_rest(&self.scene().picture)
     }
 
+    /// As [`picture_at_rest`](Self::picture_at_rest), in a window without panels.
+    pub(crate) fn picture_without_panels(&self) -> Picture {
+        self.resolution
+            .at_rest_without_panels(&self.scene().picture)
+    }
+
     /// Whether the scene has changed since the last run of the system.
     pub(crate) fn has_changed(&self) -> bool {
         self.scene.is_changed()

@@ -134,12 +134,14 @@ fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
             .collect::<Vec<_>>()
     };
     let mut bare = Vec::new();
+    // The panel, which is open for the second one, does not change the picture.
     for number in 1..=2 {
         desktop.press("F12");
         let (picture, scene) = saved(number);
         shows_the_picture(&picture);
         assert_eq!(scene.picture.size().to_array(), [1440, 810]);
         bare.push(corner(&picture));
+        desktop.press("p");
     }
     assert!(bare[0] == bare[1], "the HUD is in the picture");
     desktop.chord("shift", "F12");

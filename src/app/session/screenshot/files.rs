@@ -57,7 +57,7 @@ fn save_picture(
         // In cells the file has those of the window, and without them its full size.
         let drawn = if editor.shows_cells() {
             Scene {
-                picture: editor.picture_at_rest(),
+                picture: editor.picture_without_panels(),
                 ..scene.clone()
             }
         } else {
