@@ -21,14 +21,16 @@ pub(super) const WARNING: Color32 = Color32::from_rgb(255, 190, 90);
 const PADDING: Vec2 = Vec2::new(10.0, 6.0);
 const CORNER_RADIUS: f32 = 5.0;
 
-/// Widths, as shares of the largest one, and numbers of rows in which a text of one size is tried. Where
-/// there is no room for all of it, it ends in an ellipsis.
-const SHAPES: [(f32, usize); 5] = [
-    (1.0, usize::MAX),
-    (0.6, usize::MAX),
-    (0.4, usize::MAX),
-    (1.0, 2),
-    (1.0, 1),
+/// Widths, as shares of the largest one, sizes, as shares of the usual one, and numbers of rows in which
+/// a text is tried. Where there is no room for all of it, it ends in an ellipsis.
+const SHAPES: [(f32, f32, usize); 7] = [
+    (1.0, 1.0, usize::MAX),
+    (0.6, 1.0, usize::MAX),
+    (0.4, 1.0, usize::MAX),
+    (1.0, 0.75, usize::MAX),
+    (1.0, 0.55, usize::MAX),
+    (1.0, 0.75, 2),
+    (1.0, 0.75, 1),
 ];
 
 /// Texts with their places, to be painted in a box.
@@ -119,8 +121,8 @@ impl Board {
             ..wish
         };
         let wishes = [beside, wish].map(|wish| SHAPES.map(|shape| (wish, shape)));
-        for (wish, (share, rows)) in wishes.into_iter().flatten() {
-            let font = FontId::proportional(size);
+        for (wish, (share, smaller, rows)) in wishes.into_iter().flatten() {
+            let font = FontId::proportional(smaller * size);
             let mut job = LayoutJob::simple(text.to_owned(), font, colour, share * width);
             job.wrap.max_rows = rows;
             let galley = self.painter.layout_job(job);

@@ -71,7 +71,8 @@ pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
     egui::Rect::from_center_size(screen.center(), size)
 }
 
-/// Shows the title, the entries and a line about the keys. Returns the entry that was clicked.
+/// Shows the title, the entries and a line about the keys. The line and the title are left out where they
+/// would leave no room for all entries. Returns the entry that was clicked.
 fn show_entries(
     ui: &mut egui::Ui,
     title: &str,
@@ -81,12 +82,17 @@ fn show_entries(
 ) -> Option<MenuEntry> {
     let mut clicked = None;
     ui.spacing_mut().item_spacing.y = 0.0;
-    ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
-    ui.add_space(10.0);
-    let room = ui.available_height() - HINT_HEIGHT;
+    let spare = ui.available_height() - MIN_ENTRY_HEIGHT * entries.len() as f32;
+    if spare >= TITLE_HEIGHT {
+        ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
+        ui.add_space(10.0);
+    }
+    let has_hint = spare >= TITLE_HEIGHT + HINT_HEIGHT;
+    let room = ui.available_height() - if has_hint { HINT_HEIGHT } else { 0.0 };
     let height = (room / entries.len() as f32).clamp(MIN_ENTRY_HEIGHT, ENTRY_HEIGHT);
     egui::ScrollArea::vertical()
         .max_height(room)
+        .min_scrolled_height(0.0)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for entry in entries {
@@ -103,6 +109,9 @@ fn show_entries(
                 }
             }
         });
+    if !has_hint {
+        return clicked;
+    }
     ui.add_space(10.0);
     let hint = egui::RichText::new("Up, Down and Enter choose");
     ui.label(hint.size(12.5).color(WEAK_TEXT));
