@@ -2,7 +2,7 @@
 
 use crate::PLAIN;
 use crate::desktop::Desktop;
-use watched::{Order, State, Stroke};
+use watched::{Order, State, Stroke, Text};
 
 /// Time of a frame, in seconds.
 const STEP: f64 = 0.05;
@@ -59,7 +59,9 @@ impl Desktop {
         let state = self.wait_for(button, |state| state.place_of(button).is_some());
         self.later(FRAMES);
         self.tap(state.place_of(button).unwrap());
-        self.wait_for("no bar", |state| state.place_of(button).is_none());
+        // The menu and the read-outs have some of the buttons' words, too.
+        let last = |text: &Text| ["Photo", "End photo mode"].contains(&text.words.as_str());
+        self.wait_for("no bar", |state| !state.texts.iter().any(last));
     }
 }
 
@@ -143,5 +145,22 @@ fn a_tap_opens_a_bar_that_goes_away_when_it_is_used_or_the_picture_is_tapped_aga
     desktop.wait_for("the fall", |state| state.falls);
     desktop.use_bar("Hold");
     desktop.wait_for("the end of the fall", |state| !state.falls);
+
+    desktop.use_bar("Journey");
+    desktop.wait_for("the journey", |state| state.journey.is_some());
+    desktop.use_bar("Stop");
+    desktop.wait_for("no journey", |state| state.journey.is_none());
+
+    desktop.use_bar("Menu");
+    let menu = desktop.wait_for("the menu", |state| state.menu && state.shows("Resume"));
+    desktop.later(FRAMES);
+    desktop.tap(menu.place_of("Resume").unwrap());
+    desktop.wait_for("no menu", |state| !state.menu);
+
+    // Nothing lies over the picture in the photo mode but the bar.
+    desktop.use_bar("Photo");
+    desktop.wait_for("only the picture", |state| !state.shows("azimuth"));
+    desktop.use_bar("End photo mode");
+    desktop.wait_for("the read-outs", |state| state.shows("azimuth"));
     assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }
