@@ -37,9 +37,20 @@ QUIET = [
 ]
 
 # Windows' codes of keys that have no letter.
-KEY_CODES = {"F2": 113, "Tab": 9, "Escape": 27, "Insert": 45, "Backslash": 220, "Quote": 222}
+KEY_CODES = {
+    "F2": 113,
+    "Tab": 9,
+    "Escape": 27,
+    "Insert": 45,
+    "Backslash": 220,
+    "Quote": 222,
+    "Space": 32,
+    "PageDown": 34,
+    "ArrowRight": 39,
+    "ArrowDown": 40,
+}
 # What those keys type.
-KEY_TEXTS = {"Backslash": "\\", "Quote": "'"}
+KEY_TEXTS = {"Backslash": "\\", "Quote": "'", "Space": " "}
 
 
 class Chromium:
@@ -72,6 +83,8 @@ class Chromium:
         # What the console said, and what went wrong on the page.
         self.console = []
         self.faults = []
+        # Where scripts run, by the origin of the page or of a page in it.
+        self.contexts = {}
         target = self.call("Target.createTarget", url="about:blank", session=None)["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True, session=None)["sessionId"]
         for domain in ("Runtime", "Page", "Log"):
@@ -148,6 +161,9 @@ class Chromium:
             self.console.append(entry["text"])
             if entry["level"] in ("warning", "error"):
                 self.faults.append(entry["text"])
+        elif message["method"] == "Runtime.executionContextCreated":
+            context = parameters["context"]
+            self.contexts[context["origin"]] = context["id"]
         elif message["method"] == "Runtime.exceptionThrown":
             details = parameters["exceptionDetails"]
             text = details.get("exception", {}).get("description", details["text"])
@@ -162,18 +178,20 @@ class Chromium:
         """Runs a script on every page before the page's own."""
         self.call("Page.addScriptToEvaluateOnNewDocument", source=script)
 
-    def evaluate(self, expression):
-        result = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
+    def evaluate(self, expression, origin=None):
+        """The value of an expression on the page or, where an origin is named, on the page from there in it."""
+        context = {"contextId": self.contexts.get(origin, -1)} if origin else {}
+        result = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True, **context)
         if "exceptionDetails" in result:
             raise RuntimeError(f"{expression}: {result['exceptionDetails']['text']}")
         return result["result"].get("value")
 
-    def wait_until(self, expression, seconds):
+    def wait_until(self, expression, seconds, origin=None):
         """Waits until an expression is true. Returns whether it became so."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             try:
-                if self.evaluate(expression):
+                if self.evaluate(expression, origin):
                     return True
             except RuntimeError:
                 # The page has no contents yet.
@@ -194,7 +212,9 @@ class Chromium:
         name = code.removeprefix("Key").lower() if code.startswith("Key") else code
         virtual = KEY_CODES.get(code, ord(code[-1]))
         key = {"code": code, "key": KEY_TEXTS.get(code, name), "windowsVirtualKeyCode": virtual}
-        self.call("Input.dispatchKeyEvent", type="rawKeyDown", **key)
+        # Space scrolls a page by what it types.
+        kind = {"type": "keyDown", "text": " "} if code == "Space" else {"type": "rawKeyDown"}
+        self.call("Input.dispatchKeyEvent", **kind, **key)
         self.wait(0.2)
         self.call("Input.dispatchKeyEvent", type="keyUp", **key)
 
@@ -220,6 +240,22 @@ class Chromium:
 
     def move(self, place):
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=place[0], y=place[1])
+
+    def wheel(self, place, down):
+        """Turns the wheel by so many pixels."""
+        self.call("Input.dispatchMouseEvent", type="mouseWheel", x=place[0], y=place[1], deltaX=0, deltaY=down)
+
+    def touch(self, *ways):
+        """Puts fingers down, moves each through its places, and lifts them."""
+
+        def send(kind, points):
+            points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)]
+            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+            self.wait(0.3)
+
+        for number, places in enumerate(zip(*ways)):
+            send("touchMove" if number else "touchStart", places)
+        send("touchEnd", ())
 
     def screenshot(self, file):
         data = self.call("Page.captureScreenshot", format="png")["data"]

@@ -6,7 +6,11 @@ import init from "./lightfall.js";
 const PROGRAM_BYTES = Number("@PROGRAM_BYTES@");
 const REPORTS = "lightfall/reports/";
 
+// Keys that scroll a page.
+const SCROLLING = [" ", "ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End"];
+
 const root = document.documentElement;
+const canvas = document.getElementById("lightfall");
 const message = document.getElementById("message");
 const progress = document.getElementById("progress");
 
@@ -79,6 +83,20 @@ async function start() {
   }
   await init({ module_or_path: program() });
 }
+
+const isButton = (target) => target instanceof HTMLButtonElement;
+
+// The program hears keys while its canvas has the focus. A click on the loading screen takes the focus away,
+// and a page that is part of another one has none until it is clicked.
+addEventListener("click", (event) => {
+  if (!isButton(event.target)) canvas.focus();
+});
+
+// What scrolls here would scroll the page around this one.
+addEventListener("wheel", (event) => event.preventDefault(), { passive: false });
+addEventListener("keydown", (event) => {
+  if (SCROLLING.includes(event.key) && !isButton(event.target)) event.preventDefault();
+});
 
 // Ctrl flies down and W flies ahead; together they close the tab, and no page may forbid it. While Ctrl is
 // held, the browser asks first.
