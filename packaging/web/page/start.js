@@ -84,18 +84,18 @@ async function start() {
   await init({ module_or_path: program() });
 }
 
-const isButton = (target) => target instanceof HTMLButtonElement;
-
-// The program hears keys while its canvas has the focus. A click on the loading screen takes the focus away,
-// and a page that is part of another one has none until it is clicked.
-addEventListener("click", (event) => {
-  if (!isButton(event.target)) canvas.focus();
+// The program hears keys while its canvas has the focus. A click on the canvas gives it the focus; a click on
+// the loading screen over it must, too, above all where this page is part of another one.
+document.getElementById("loading").addEventListener("click", (event) => {
+  if (!(event.target instanceof HTMLButtonElement)) canvas.focus();
 });
 
-// What scrolls here would scroll the page around this one.
+// What scrolls here would scroll the page around this one. Buttons, and the field that the program makes for
+// the keyboards of phones, keep their keys.
 addEventListener("wheel", (event) => event.preventDefault(), { passive: false });
 addEventListener("keydown", (event) => {
-  if (SCROLLING.includes(event.key) && !isButton(event.target)) event.preventDefault();
+  const isPicture = [canvas, document.body].includes(event.target);
+  if (isPicture && SCROLLING.includes(event.key)) event.preventDefault();
 });
 
 // Ctrl flies down and W flies ahead; together they close the tab, and no page may forbid it. While Ctrl is
