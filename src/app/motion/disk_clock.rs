@@ -23,6 +23,7 @@ use crate::app::state::disk_clock::DiskClock;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
@@ -94,7 +95,7 @@ pub(crate) fn plugin(app: &mut App) {
 /// Lets the clock run for one frame.
 fn run_disk_clock(
     time: Res<Time>,
-    paused: Res<Paused>,
+    (paused, shot): (Res<Paused>, Res<WindowShot>),
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
     compared: Res<ComparedScene>,
@@ -111,7 +112,7 @@ fn run_disk_clock(
         clock.follow(&scene);
         return;
     }
-    let runs = !paused.0 && either(Scene::shows_disk_motion);
+    let runs = !(paused.0 || shot.holds_still()) && either(Scene::shows_disk_motion);
     let seconds = if runs { time.delta_secs_f64() } else { 0.0 };
     let mut next = scene.clone();
     next.disk.time = clock.advance(seconds, &scene);

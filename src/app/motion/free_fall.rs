@@ -14,6 +14,7 @@ use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
@@ -309,14 +310,18 @@ pub(super) fn advance_free_fall(
     mut free_fall: ResMut<FreeFall>,
     mut editor: SceneEditor,
     bindings: Res<Bindings>,
-    paused: Res<Paused>,
+    (paused, shot): (Res<Paused>, Res<WindowShot>),
     mut end_card: ResMut<EndCard>,
 ) {
     if !free_fall.is_moving() {
         return;
     }
     // A paused fall still notices that something else moves the camera.
-    let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
+    let seconds = if paused.0 || shot.holds_still() {
+        0.0
+    } else {
+        time.delta_secs_f64()
+    };
     match free_fall.advance(seconds, &editor.drawn_scene()) {
         FlightStep::Idle => editor.say(format!(
             "You are flying by hand: {} lets go again",

@@ -9,6 +9,7 @@ use crate::app::state::end_card::EndCard;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::scene::Scene;
 
@@ -98,7 +99,7 @@ pub(super) fn advance_journey(
     mut editor: SceneEditor,
     preferences: Res<Preferences>,
     bindings: Res<Bindings>,
-    paused: Res<Paused>,
+    (paused, shot): (Res<Paused>, Res<WindowShot>),
     mut end_card: ResMut<EndCard>,
 ) {
     if !player.is_playing() {
@@ -106,7 +107,11 @@ pub(super) fn advance_journey(
     }
     let calm = preferences.settings.reduced_motion;
     // A paused journey still notices that something else moves the camera, and follows a skip.
-    let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
+    let seconds = if paused.0 || shot.holds_still() {
+        0.0
+    } else {
+        time.delta_secs_f64()
+    };
     match player.advance(seconds, &editor.drawn_scene(), calm) {
         FlightStep::Idle => editor.say(format!(
             "You are flying by hand. The journey waits at {}: {}",

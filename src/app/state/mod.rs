@@ -20,6 +20,7 @@ pub(crate) mod settings_fault;
 pub(crate) mod shown_picture;
 pub(crate) mod title;
 pub(crate) mod toast;
+pub(crate) mod window_shot;
 
 use std::time::Duration;
 

@@ -133,6 +133,13 @@ fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
             .map(|(x, y)| saved.get_pixel(x, y).0)
             .collect::<Vec<_>>()
     };
+    // Where messages are.
+    let messages = |saved: &image::RgbImage| {
+        let pixels = (640..760).flat_map(|y| (560..880).map(move |x| (x, y)));
+        pixels
+            .map(|(x, y)| saved.get_pixel(x, y).0)
+            .collect::<Vec<_>>()
+    };
     let mut bare = Vec::new();
     // The panel, which is open for the second one, does not change the picture.
     for number in 1..=2 {
@@ -140,13 +147,15 @@ fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
         let (picture, scene) = saved(number);
         shows_the_picture(&picture);
         assert_eq!(scene.picture.size().to_array(), [1440, 810]);
-        bare.push(corner(&picture));
+        bare.push((corner(&picture), messages(&picture)));
         desktop.press("p");
     }
     assert!(bare[0] == bare[1], "the HUD is in the picture");
+    desktop.wait_for("the path", |state| state.mentions(".png"));
     desktop.chord("shift", "F12");
     let (window, _) = saved(3);
     shows_the_picture(&window);
-    assert!(corner(&window) != bare[0], "the HUD is not in the window");
+    assert!(corner(&window) != bare[0].0, "the HUD is not in the window");
+    assert!(messages(&window) == bare[0].1, "a message is in the window");
     assert_eq!(std::fs::read_dir(&pictures).unwrap().count(), 3);
 }

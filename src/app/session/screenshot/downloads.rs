@@ -4,6 +4,7 @@
 use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
@@ -21,23 +22,20 @@ pub(crate) fn plugin(app: &mut App) {
 
 fn capture_window(
     mut asked: MessageReader<AppCommand>,
+    shot: Res<WindowShot>,
     mut overlays: Query<&mut EguiRenderOutput>,
     mut commands: Commands,
 ) {
-    for command in asked.read() {
-        match command {
-            AppCommand::Screenshot => {
-                for mut output in &mut overlays {
-                    output.paint_jobs.clear();
-                }
-            }
-            AppCommand::ScreenshotOfWindow => {}
-            _ => continue,
-        }
-        commands
-            .spawn(Screenshot::primary_window())
-            .observe(download_picture);
+    let by_itself = AppCommand::Screenshot.count(&mut asked) > 0;
+    if !by_itself && *shot != WindowShot::Taken {
+        return;
     }
+    for mut output in overlays.iter_mut().filter(|_| by_itself) {
+        output.paint_jobs.clear();
+    }
+    commands
+        .spawn(Screenshot::primary_window())
+        .observe(download_picture);
 }
 
 fn download_picture(

@@ -1,6 +1,7 @@
 //! Screenshots as new files that replace no others.
 
 use super::pixels::{SAVED, pixels};
+use super::sharpness::{await_sharp_picture, is_taken};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
@@ -42,8 +43,14 @@ pub(crate) fn plugin(app: &mut App) {
             Err(reason) => format!("Nothing is saved: {reason}"),
         });
     });
-    app.insert_resource(ScreenshotWriter(writer))
-        .add_systems(Update, (save_picture, save_window, report_screenshot));
+    app.insert_resource(ScreenshotWriter(writer)).add_systems(
+        Update,
+        (
+            save_picture,
+            save_window.run_if(is_taken).after(await_sharp_picture),
+            report_screenshot,
+        ),
+    );
 }
 
 fn save_picture(
@@ -69,12 +76,10 @@ fn save_picture(
     }
 }
 
-fn save_window(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
-    if AppCommand::ScreenshotOfWindow.count(&mut asked) > 0 {
-        commands
-            .spawn(Screenshot::primary_window())
-            .observe(write_window);
-    }
+fn save_window(mut commands: Commands) {
+    commands
+        .spawn(Screenshot::primary_window())
+        .observe(write_window);
 }
 
 fn write_window(

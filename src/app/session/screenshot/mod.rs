@@ -5,8 +5,13 @@ mod downloads;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
 mod pixels;
+mod sharpness;
 
 #[cfg(target_arch = "wasm32")]
-pub(crate) use downloads::plugin;
+use downloads as writer;
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use files::plugin;
+use files as writer;
+
+pub(crate) fn plugin(app: &mut bevy::app::App) {
+    app.add_plugins((sharpness::plugin, writer::plugin));
+}

@@ -118,7 +118,11 @@ pub(super) fn show_read_outs(
     let Some((context, layout)) = screen.texts().filter(|_| strength > 0.0) else {
         return;
     };
-    let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
+    // Shift alone, as in Shift+F12, flies nowhere.
+    let gear = match held.any_flight() {
+        true => GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
+        false => 1.0,
+    };
     let mut lines = read_outs(&scene, pilot.throttle * gear);
     let moves = free_fall.is_moving() || player.is_playing();
     let motion = &mut lines[1];

@@ -3,6 +3,7 @@
 use super::board::{BRIGHT, Board};
 use super::presence::Presence;
 use crate::app::state::toast::Toast;
+use crate::app::state::window_shot::WindowShot;
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 
@@ -11,8 +12,14 @@ const TEXT: f32 = 15.0;
 /// Largest width of its text, in points.
 const MAX_WIDTH: f32 = 620.0;
 
-pub(super) fn show_toast(mut screen: Screen, toast: Res<Toast>, presence: Res<Presence>) {
-    let Some((context, layout)) = screen.messages().filter(|_| !toast.text().is_empty()) else {
+pub(super) fn show_toast(
+    mut screen: Screen,
+    toast: Res<Toast>,
+    presence: Res<Presence>,
+    shot: Res<WindowShot>,
+) {
+    let is_shown = !toast.text().is_empty() && !shot.holds_still();
+    let Some((context, layout)) = screen.messages().filter(|_| is_shown) else {
         return;
     };
     let strength = presence.opacity(toast.since(), toast.left());
