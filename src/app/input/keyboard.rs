@@ -7,6 +7,7 @@ use super::typing::{MouseOverPanel, Typing};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
 use crate::app::controls::edits::edited;
+use crate::app::controls::empty_view::why_empty;
 use crate::app::controls::key_feedback::remark;
 use crate::app::controls::statement::statement;
 use crate::app::state::scene_editor::SceneEditor;
@@ -127,6 +128,12 @@ fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bi
     };
     if matches!(control.action, Action::Load(_) | Action::StepPreset(_)) {
         editor.load(input, Ok(changed));
+        return;
+    }
+    let shows_other = changed.view != before.view;
+    if let Some(reason) = why_empty(changed.view, &changed).filter(|_| shows_other) {
+        let view = changed.view.properties().words;
+        editor.say(format!("View {view} has nothing to show. {reason}"));
         return;
     }
     if editor.change(input, changed) {

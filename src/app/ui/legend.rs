@@ -1,11 +1,11 @@
 //! The legend of a diagnostic view, in the upper right corner: what its colours mean.
 
+use crate::app::controls::empty_view::why_empty;
 use crate::app::state::shown_picture::ShownPicture;
 use crate::app::ui::layout::{Importance, Slide};
 use crate::app::ui::screen::{Screen, show_placed, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
-use lightfall_core::scene::{Scene, View};
 
 /// Largest width of its texts, in points.
 const MAX_WIDTH: f32 = 250.0;
@@ -40,30 +40,11 @@ fn show_legend(mut screen: Screen, shown: Res<ShownPicture>) {
                     ui.label(*meaning);
                 });
             }
-            if let Some(reason) = why_empty(scene) {
+            if let Some(reason) = why_empty(scene.view, scene) {
                 ui.label(reason);
             }
         });
     });
-}
-
-/// Why the scene's view has nothing to show.
-fn why_empty(scene: &Scene) -> Option<&'static str> {
-    let method = scene.method.resolved().properties();
-    let steps = scene.effects.lensing && method.steps;
-    match scene.view {
-        View::Unfinished if !scene.effects.lensing || method.answers_every_ray => {
-            Some("This method finishes every ray.")
-        }
-        View::Residual if !steps => {
-            Some("This method solves for rays instead of stepping along them: it has no residual.")
-        }
-        View::Steps if !steps => {
-            Some("This method solves for rays instead of stepping along them: no ray takes a step.")
-        }
-        View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
-        _ => None,
-    }
 }
 
 /// The colour of a mark on the screen: its light, a little darker than white, tone-mapped as in the

@@ -3,9 +3,10 @@
 
 use super::number_field::number_field;
 use super::switch::switch;
+use crate::app::controls::empty_view::why_empty;
 use crate::app::controls::sections::Shown;
 use bevy_egui::egui;
-use lightfall_core::scene::{Field, Kind, Method, Range, Value};
+use lightfall_core::scene::{Field, Kind, Method, Range, Scene, Value, View};
 use lightfall_core::words::Choice;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
@@ -20,7 +21,7 @@ const COMPONENTS: [&str; 3] = [
     "Forward, with the disk's rotation",
 ];
 
-/// Shows a field's value in the rest of a row. Returns its new value if it was changed.
+/// Shows the value that a field of the scene has in the rest of a row. Returns its new value if it was changed.
 ///
 /// # Errors
 /// The typed text is not a number.
@@ -28,16 +29,18 @@ pub(super) fn show_value(
     ui: &mut egui::Ui,
     field: &Field,
     shown: Shown,
-    value: &Value,
+    scene: &Scene,
     range: Range,
 ) -> Result<Option<Value>, String> {
-    Ok(match (field.kind, value) {
+    Ok(match (field.kind, &field.get(scene)) {
         (Kind::Boolean, Value::Boolean(value)) => {
             let inverted = shown == Shown::Inverted;
             let mut on = *value != inverted;
             switch(ui, &mut on).then_some(Value::Boolean(on != inverted))
         }
-        (Kind::Choice(choices), Value::Word(word)) => show_choices(ui, field.key, choices, word),
+        (Kind::Choice(choices), Value::Word(word)) => {
+            show_choices(ui, field.key, choices, (word, scene))
+        }
         (Kind::Text, Value::Text(text)) => {
             let mut text = text.clone();
             let edit = egui::TextEdit::singleline(&mut text)
@@ -63,7 +66,7 @@ fn show_choices(
     ui: &mut egui::Ui,
     key: &str,
     choices: &[Choice],
-    word: &'static str,
+    (word, scene): (&'static str, &Scene),
 ) -> Option<Value> {
     let mut chosen = word;
     let shown = choices.iter().find(|choice| choice.word == word);
@@ -73,10 +76,17 @@ fn show_choices(
         .show_ui(ui, |ui| {
             for choice in choices {
                 // The reference cannot draw a picture.
-                if (key, choice.word) != ("method", Method::Reference.word()) {
-                    ui.selectable_value(&mut chosen, choice.word, choice.name)
-                        .on_hover_text(format!("{} ({})", choice.meaning, choice.word));
+                if (key, choice.word) == ("method", Method::Reference.word()) {
+                    continue;
                 }
+                let is_view = |view: &View| key == "view" && view.word() == choice.word;
+                let view = View::ALL.into_iter().find(is_view);
+                let empty = view.and_then(|view| why_empty(view, scene));
+                ui.add_enabled_ui(empty.is_none(), |ui| {
+                    ui.selectable_value(&mut chosen, choice.word, choice.name)
+                        .on_hover_text(format!("{} ({})", choice.meaning, choice.word))
+                        .on_disabled_hover_text(empty.unwrap_or_default());
+                });
             }
         });
     (chosen != word).then_some(Value::Word(chosen))

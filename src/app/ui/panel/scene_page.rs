@@ -174,7 +174,7 @@ fn show_row(
         let width = ui.available_width() - RESET_WIDTH;
         ui.allocate_ui(egui::vec2(width, 22.0), |ui| {
             ui.set_min_width(width);
-            change = show_value(ui, field, row.shown, &value, range).transpose();
+            change = show_value(ui, field, row.shown, scene, range).transpose();
         });
         if is_changed {
             let reset = ui.add(egui::Button::new("⟲").small().frame(false));

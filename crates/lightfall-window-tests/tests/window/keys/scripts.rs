@@ -160,6 +160,20 @@ fn change_of_pace(session: &Session, key: &str) -> f64 {
     after.pace / before.pace
 }
 
+/// A view that the method in use leaves empty is refused with the reason.
+pub fn empty_view(session: &mut Session, key: &str) {
+    let before = session.state();
+    session.press(key);
+    let after = session.wait_for(key, |state| state.mentions("has nothing to show"));
+    assert_eq!(after.scene, before.scene);
+    // Another message takes the place of this one.
+    session.press("F10");
+    session.press("F10");
+    session.wait_for("another message", |state| {
+        !state.mentions("nothing to show")
+    });
+}
+
 pub fn slower_time(session: &mut Session, key: &str) {
     assert_eq!(change_of_pace(session, key), 0.5, "{key}");
 }
