@@ -7,6 +7,7 @@ use lightfall::app::{
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::numbers::duration_in_words;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::journey::{self, Journey};
 use lightfall_core::scene::{DiskStructure, HotSpotKind, ObserverKind, Scene};
 use lightfall_picture::{Frames, Sequence};
@@ -100,12 +101,12 @@ fn keys_double_and_halve_the_rate_within_a_range() {
 #[test]
 fn a_second_of_the_window_is_said_in_times_of_the_chosen_hole() {
     // r_s/c of Sgr A* is 42.35 s here, so that 4 r_s/c are 169.4 s.
-    let words = disk_rate_words(4.0, MASSES[0]);
+    let words = disk_rate_words(4.0, MASSES[0], Units::Hole);
     assert_eq!(
         words,
         "Disk's clock: 4 r_s/c per second (2.82 minutes for Sgr A*)"
     );
-    let own = disk_rate_words(0.5, HoleMass::of_suns(1.23e5));
+    let own = disk_rate_words(0.5, HoleMass::of_suns(1.23e5), Units::Hole);
     assert!(own.ends_with("(606 ms for this hole)"), "{own}");
     for (seconds, words) in [
         (0.0, "0 s"),

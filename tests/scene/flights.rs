@@ -4,6 +4,7 @@
 use lightfall::app::{FlightStep, FreeFall, JourneyPlayer};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{Method, ObserverKind, Scene, journey, presets};
 
@@ -211,7 +212,7 @@ fn a_paused_journey_stands_still_and_a_skip_moves_it_at_once() {
     free_fall.start(&scene).unwrap();
     scene = next(free_fall.advance(FRAME, &scene));
     assert_eq!(next(free_fall.advance(0.0, &scene)), scene);
-    let clocks = free_fall.clocks(&scene);
+    let clocks = free_fall.clocks(&scene, Units::Hole);
     assert!(
         clocks.starts_with("Your clock 0.") && clocks.contains(" · far clock 0."),
         "{clocks}"
@@ -240,7 +241,7 @@ fn an_observer_let_go_in_free_fall_ends_inside_the_horizon() {
     }
     assert!((scene.camera.r - 0.1).abs() < 1e-12 && frames > 300);
     // From here to the centre the rest of the way takes 2/3 r^(3/2).
-    let clocks = free_fall.clocks(&scene);
+    let clocks = free_fall.clocks(&scene, Units::Hole);
     assert!(
         clocks.starts_with("Inside the horizon") && clocks.ends_with("0.021 r_s/c to the centre"),
         "{clocks}"
@@ -305,7 +306,10 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
         }
         assert_eq!(scene.camera.r, min_infall_radius(kerr));
         assert!(
-            inside > 100 && free_fall.clocks(&scene).contains("to the last picture"),
+            inside > 100
+                && free_fall
+                    .clocks(&scene, Units::Hole)
+                    .contains("to the last picture"),
             "{inside} frames inside"
         );
     }
@@ -318,7 +322,11 @@ fn free_motion_goes_on_while_looking_around_and_ends_when_the_camera_is_moved() 
     let mut free_fall = FreeFall::default();
     free_fall.start(&scene).unwrap();
     scene = next(free_fall.advance(1.0, &scene));
-    assert!(free_fall.clocks(&scene).starts_with("In orbit"));
+    assert!(
+        free_fall
+            .clocks(&scene, Units::Hole)
+            .starts_with("In orbit")
+    );
     scene.camera.yaw_deg = 33.0;
     let after = next(free_fall.advance(1.0, &scene));
     assert!(after.camera.yaw_deg == 33.0 && after.camera.phi_deg != scene.camera.phi_deg);

@@ -7,6 +7,8 @@ use lightfall::app::{
 use lightfall_core::numbers::{
     four_digits, spin_digits, steady_digits, three_digits, with_short_numbers,
 };
+use lightfall_core::optics::readout::si::MASSES;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::{Effects, ObserverKind, Scene, presets};
 
 fn preset(name: &str) -> Scene {
@@ -169,9 +171,23 @@ fn what_is_switched_off_in_the_physics_is_named() {
 }
 
 #[test]
+fn simple_words_give_kilometres_and_minutes_and_no_angles_of_the_hole() {
+    // r_s of Sgr A* is 12.7 million km, and r_s/c is 42.36 s.
+    let units = Units::Everyday(MASSES[0]);
+    let lines = read_outs(&preset("edge-on"), 1.0, units);
+    let place: Vec<_> = lines[0].iter().map(|it| (it.label, &*it.value)).collect();
+    assert_eq!(
+        place,
+        [("distance", "254 million km"), ("", "7.0° above the disk")]
+    );
+    assert_eq!(units.time(4.0, steady_digits), "2.82 minutes");
+    assert_eq!(Units::Hole.time(4.0, steady_digits), "4.000 r_s/c");
+}
+
+#[test]
 fn read_outs_use_words_and_keep_their_width() {
     let text = |scene: &Scene| {
-        read_outs(scene, 1.0).map(|line| {
+        read_outs(scene, 1.0, Units::Hole).map(|line| {
             line.iter()
                 .map(|ReadOut { label, value, .. }| format!("{label} {value}").trim().to_owned())
                 .collect::<Vec<_>>()

@@ -83,6 +83,27 @@ pub fn duration_in_words(seconds: f64) -> String {
     }
 }
 
+/// Words for the size of a number.
+const SIZES: [(f64, &str); 3] = [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")];
+
+/// A computed value with at most four digits and a word for its size, such as `25.4 million`.
+pub fn in_words(number: f64) -> String {
+    let size = SIZES.into_iter().find(|(size, _)| number.abs() >= *size);
+    match size {
+        Some((size, word)) => format!("{} {word}", four_digits(number / size)),
+        None => four_digits(number),
+    }
+}
+
+/// The number that [`in_words`] writes, or `None` for another text.
+pub fn from_words(text: &str) -> Option<f64> {
+    let mut words = text.split_whitespace();
+    let number: f64 = words.next()?.parse().ok()?;
+    let word = words.next().unwrap_or_default();
+    let size = SIZES.into_iter().find(|(_, name)| *name == word);
+    Some(number * size.map_or(1.0, |(size, _)| size))
+}
+
 /// A number with four digits, zeros included, e.g. `20.00` or `0.912`. For read-outs that change
 /// while they are read: their width stays the same.
 pub fn steady_digits(number: f64) -> String {

@@ -2,11 +2,12 @@
 //! r_s and c.
 //!
 //! Every read-out is a pure function of the [`Scene`]. [`si`] converts them to metres and seconds
-//! for a hole of a given mass.
+//! for a hole of a given mass, and [`units`] writes lengths and times.
 
 mod shadow;
 pub mod si;
 mod strain;
+pub mod units;
 
 pub use shadow::{Shadow, shadow, shadow_radius};
 pub use strain::{held_acceleration, tide};

@@ -27,6 +27,7 @@ use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
 use lightfall_render::{ComparedScene, CurrentScene};
 
@@ -49,7 +50,11 @@ pub fn stepped_rate(rate: f64, presses: i32) -> f64 {
 /// What a second of the window is for the disk of a hole of this mass, e.g. `Disk's clock: 4 r_s/c
 /// per second (2.82 minutes for Sgr A*)`.
 #[must_use]
-pub fn disk_rate_words(rate: f64, mass: HoleMass) -> String {
+pub fn disk_rate_words(rate: f64, mass: HoleMass, units: Units) -> String {
+    if units.are_simple() {
+        let time = units.time(rate, four_digits);
+        return format!("Disk's clock: a second here is {time} for {}", mass.name);
+    }
     format!(
         "Disk's clock: {} r_s/c per second ({} for {})",
         four_digits(rate),
@@ -60,18 +65,26 @@ pub fn disk_rate_words(rate: f64, mass: HoleMass) -> String {
 
 /// The clock in one line, with what it does. Empty where nothing moves.
 #[must_use]
-pub(crate) fn status(scene: &Scene, flies: bool, paused: bool, bindings: &Bindings) -> String {
+pub(crate) fn status(
+    scene: &Scene,
+    (flies, paused): (bool, bool),
+    bindings: &Bindings,
+    units: Units,
+) -> String {
     if !scene.disk_moves() {
         return String::new();
     }
-    let time = format!("{:.1} r_s/c", scene.disk.time);
+    let time = units.time(scene.disk.time, |time| format!("{time:.1}"));
     let pause = bindings.label("motion.pause");
     if flies {
         format!("Disk's clock {time}")
     } else if paused {
         format!("Disk's clock paused at {time} · {pause} goes on")
     } else if scene.view.shows_light() {
-        let rate = four_digits(scene.disk.rate);
+        let rate = match units {
+            Units::Hole => four_digits(scene.disk.rate),
+            Units::Everyday(_) => units.time(scene.disk.rate, four_digits),
+        };
         format!("Disk's clock {time}, {rate} per second · {pause} pauses")
     } else {
         format!("Disk's clock stands at {time} in this view")
@@ -143,8 +156,8 @@ fn change_rate(
         }
         let mut changed = scene;
         changed.disk.rate = stepped_rate(changed.disk.rate, presses);
-        let mass = HoleMass::of_suns(preferences.settings.hole_mass_suns);
-        let words = disk_rate_words(changed.disk.rate, mass);
+        let settings = &preferences.settings;
+        let words = disk_rate_words(changed.disk.rate, settings.mass(), settings.units());
         if editor.change("Disk's clock", changed) {
             editor.say(words);
         }

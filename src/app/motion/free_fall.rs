@@ -18,8 +18,9 @@ use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
-use lightfall_core::numbers::{four_digits, steady_digits, three_digits, with_short_numbers};
+use lightfall_core::numbers::{four_digits, three_digits, with_short_numbers};
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::{Observer, Scene};
 
@@ -37,11 +38,11 @@ const LONGEST_FALL: f64 = 10.0;
 /// The time until a fall inside the horizon ends, in words, and where it ends. Without spin it is
 /// the centre: from the end of the picture at 0.1 r_s it is 0.0211 r_s/c more (2/3 r^(3/2), exact
 /// from rest at infinity; for any other fall it changes no digit that is shown, or the last one).
-fn time_left(worldline: &Worldline, scene: &Scene) -> [String; 2] {
+fn time_left(worldline: &Worldline, scene: &Scene, units: Units) -> [String; 2] {
     let (mut ahead, mut then) = (worldline.clone(), scene.clone());
     ahead.advance(LONGEST_FALL, &mut then);
     let left = ahead.proper_time() - worldline.proper_time();
-    let words = |left: f64, end: &str| [format!("{} r_s/c", steady_digits(left)), end.into()];
+    let words = |left: f64, end: &str| [units.steady_time(left), end.into()];
     if scene.hole.spin == 0.0 {
         words(left + 2.0 / 3.0 * then.camera.r.powf(1.5), "to the centre")
     } else {
@@ -157,33 +158,36 @@ impl FreeFall {
     /// horizon, where no clock far away can be compared, the time that is left. Empty without
     /// motion.
     #[must_use]
-    pub fn clocks(&self, scene: &Scene) -> String {
+    pub fn clocks(&self, scene: &Scene, units: Units) -> String {
         let Some(worldline) = self.worldline() else {
             return String::new();
         };
-        let own = format!("clock {} r_s/c", steady_digits(worldline.proper_time()));
+        let own = format!("clock {}", units.steady_time(worldline.proper_time()));
         // The read-outs above already name a fall.
         let own = match (worldline.is_circular(), is_inside(scene)) {
             (true, _) => format!("In orbit · your {own}"),
             (false, false) => format!("Your {own}"),
             (false, true) => {
-                let [left, end] = time_left(worldline, scene);
+                let [left, end] = time_left(worldline, scene, units);
                 return format!("Inside the horizon · your {own} · {left} {end}");
             }
         };
         let far = worldline.coordinate_time();
         let far = far.map_or_else(String::new, |far| {
-            format!(" · far clock {} r_s/c", steady_digits(far))
+            format!(" · far clock {}", units.steady_time(far))
         });
         format!("{own}{far}")
     }
 
     /// How fast time passes, in one sentence, e.g. `Time rate in free fall: 4.472 r_s/c per second
-    /// (190 s for Sgr A*)`. `suns` is the hole's mass in solar masses.
+    /// (190 s for Sgr A*)`.
     #[must_use]
-    pub fn rate_words(&self, r: f64, suns: f64) -> String {
+    pub fn rate_words(&self, r: f64, mass: HoleMass, units: Units) -> String {
         let rate = self.rate(r);
-        let mass = HoleMass::of_suns(suns);
+        if units.are_simple() {
+            let time = units.time(rate, four_digits);
+            return format!("A second here is {time} of the fall, for {}", mass.name);
+        }
         format!(
             "Time rate in free fall: {} r_s/c per second ({} s for {})",
             four_digits(rate),
@@ -193,39 +197,36 @@ impl FreeFall {
     }
 
     /// Where and when the motion has ended, for the end card.
-    fn ending(&self, scene: &Scene) -> String {
+    fn ending(&self, scene: &Scene, units: Units) -> String {
         let Some(Motion {
             worldline, limit, ..
         }) = &self.motion
         else {
             return String::new();
         };
-        let (r, proper_time) = (scene.camera.r, worldline.proper_time());
+        let length = |length| units.length(length, four_digits);
+        let r = length(scene.camera.r);
+        let proper_time = units.time(worldline.proper_time(), four_digits);
         match limit {
             Some(Limit::Inner) => {
                 let kerr = scene.kerr();
-                let (horizon, inner) = (kerr.horizon(), four_digits(kerr.inner_horizon()));
+                let (horizon, inner) = (length(kerr.horizon()), length(kerr.inner_horizon()));
                 let reason = if kerr.spin == 0.0 {
                     "Deeper in, tides and blueshift grow without limit, and no picture would be true.".into()
                 } else {
                     format!(
-                        "Toward the inner horizon, at {inner} r_s, blueshift grows without limit. Nobody knows what a \
+                        "Toward the inner horizon, at {inner}, blueshift grows without limit. Nobody knows what a \
                          real hole is like there, and no picture would be true."
                     )
                 };
                 format!(
-                    "You are {} r_s from the centre, inside the horizon at {} r_s. Your clock has run {} r_s/c since \
-                     you let go. {reason}",
-                    four_digits(r),
-                    four_digits(horizon),
-                    four_digits(proper_time)
+                    "You are {r} from the centre, inside the horizon at {horizon}. Your clock has run {proper_time} since \
+                     you let go. {reason}"
                 )
             }
             _ => format!(
-                "You are {} r_s from the hole, and your clock has run {} r_s/c since you let go. The camera goes no \
-                 farther.",
-                four_digits(r),
-                four_digits(proper_time)
+                "You are {r} from the hole, and your clock has run {proper_time} since you let go. The camera goes no \
+                 farther."
             ),
         }
     }
@@ -287,8 +288,8 @@ fn apply_free_fall_commands(
             AppCommand::FasterTime | AppCommand::SlowerTime => {
                 let faster = *command == AppCommand::FasterTime;
                 free_fall.change_pace(if faster { 1 } else { -1 });
-                let suns = preferences.settings.hole_mass_suns;
-                editor.say(free_fall.rate_words(scene.camera.r, suns));
+                let settings = &preferences.settings;
+                editor.say(free_fall.rate_words(scene.camera.r, settings.mass(), settings.units()));
             }
             _ => {}
         }
@@ -311,6 +312,7 @@ pub(super) fn advance_free_fall(
     mut editor: SceneEditor,
     bindings: Res<Bindings>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
+    preferences: Res<Preferences>,
     mut end_card: ResMut<EndCard>,
 ) {
     if !free_fall.is_moving() {
@@ -330,8 +332,14 @@ pub(super) fn advance_free_fall(
         FlightStep::Moved(next) => editor.fly(&next),
         FlightStep::Ended(next) => {
             editor.fly(&next);
+            let units = preferences.settings.units();
             let again = ("scene.undo", "back to where you let go");
-            end_card.show("The fall ends here", &free_fall.ending(&next), again, None);
+            end_card.show(
+                "The fall ends here",
+                &free_fall.ending(&next, units),
+                again,
+                None,
+            );
             free_fall.stop();
         }
         FlightStep::Refused(reason) => editor.say(format!(

@@ -4,7 +4,8 @@ use super::settings_fault::{SettingsFault, Unused};
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::key_labels::KeyLabels;
 use lightfall_core::gpu::AdapterName;
-use lightfall_core::optics::readout::si::MASSES;
+use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_platform::storage::{self, TextError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
@@ -39,6 +40,9 @@ pub struct Settings {
     /// Whether motion that nobody steers is kept calm: journeys do not roll, and the exposure does
     /// not change during a flight.
     pub reduced_motion: bool,
+    /// Whether texts give kilometres and minutes for a hole of `hole_mass_suns` in place of r_s and
+    /// r_s/c, and leave out what only specialists ask for.
+    pub simple_words: bool,
     /// Whether the most important keys are named in the window's corner.
     pub key_hints: bool,
     /// Factor of how far the mouse turns the camera.
@@ -110,6 +114,7 @@ impl Default for Settings {
             most_frames: 0.0,
             automatic_exposure: IgnoredAny,
             reduced_motion: false,
+            simple_words: false,
             key_hints: true,
             mouse_sensitivity: 1.0,
             invert_y: false,
@@ -122,6 +127,19 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The hole's mass for the read-outs.
+    pub(crate) fn mass(&self) -> HoleMass {
+        HoleMass::of_suns(self.hole_mass_suns)
+    }
+
+    /// The units of texts.
+    pub(crate) fn units(&self) -> Units {
+        match self.simple_words {
+            true => Units::Everyday(self.mass()),
+            false => Units::Hole,
+        }
+    }
+
     /// Reads the text of a settings file.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 //! is neither lensing nor a disk to be seen.
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
+use crate::app::state::preferences::Preferences;
 use crate::app::ui::guides::{PictureInWindow, Placement};
 use crate::app::ui::layout::{Importance, Layout, Slide, Wish};
 use crate::app::ui::screen::{BOX, MARGIN, Screen};
@@ -10,6 +11,7 @@ use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
 use lightfall_core::numbers::four_digits;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
 
 /// Free room between the arrow and the picture's edges, in points: left and right, and top and bottom.
@@ -41,19 +43,26 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-fn show_compass(mut screen: Screen, picture: PictureInWindow, hole: Res<HoleInView>) {
+fn show_compass(
+    mut screen: Screen,
+    picture: PictureInWindow,
+    hole: Res<HoleInView>,
+    preferences: Res<Preferences>,
+) {
     let (Some((context, layout)), Some(hole)) = (screen.texts(), hole.0) else {
         return;
     };
     let scene = &picture.scene;
+    let label = hole_label(scene, preferences.settings.units());
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);
     if hole.fills_view {
         draw_arrow(&painter, layout, -hole.direction, "sky");
     } else if !hole.in_picture {
-        draw_arrow(&painter, layout, hole.direction, &hole_label(scene));
+        draw_arrow(&painter, layout, hole.direction, &label);
     } else if scene.effects.lensing || scene.disk.enabled {
-        draw_ring(&painter, layout, scene, &hole, &picture.placement(context));
+        let placement = picture.placement(context);
+        draw_ring(&painter, layout, scene, (&hole, label), &placement);
     }
 }
 
@@ -94,7 +103,7 @@ fn draw_ring(
     painter: &egui::Painter,
     layout: &mut Layout,
     scene: &Scene,
-    hole: &SeenHole,
+    (hole, label): (&SeenHole, String),
     placement: &Placement,
 ) {
     let Some(place) = placement.of_looking(hole.direction) else {
@@ -116,13 +125,13 @@ fn draw_ring(
         painter,
         layout,
         place + egui::vec2(0.0, ring + MIN_RING),
-        hole_label(scene),
+        label,
     );
 }
 
 /// The label of the hole, with its distance.
-fn hole_label(scene: &Scene) -> String {
-    format!("hole  {} r_s", four_digits(scene.camera.r))
+fn hole_label(scene: &Scene, units: Units) -> String {
+    format!("hole  {}", units.length(scene.camera.r, four_digits))
 }
 
 /// Draws a line of text on a dark ground, with its middle near this point.

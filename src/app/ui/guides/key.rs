@@ -4,10 +4,11 @@
 use super::place::Placement;
 use super::style::{Style, meaning, name};
 use crate::app::ui::layout::{Layout, Slide};
-use crate::app::ui::number::{in_words, round_length};
+use crate::app::ui::number::round_length;
 use crate::app::ui::screen::{show_placed, text_box};
 use bevy_egui::egui::{self, Color32, RichText, Stroke, vec2};
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::numbers::in_words;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::Scene;

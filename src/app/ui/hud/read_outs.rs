@@ -11,11 +11,14 @@ use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::window_shot::WindowShot;
 use crate::app::ui::layout::{Layout, Slide};
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2};
 use lightfall_core::numbers::{spin_digits, steady_digits};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_render::DrawnScene;
 
@@ -48,16 +51,22 @@ impl ReadOut {
 
 /// The read-outs of a scene in two lines: place and motion. `speed` is the factor of the flying speed.
 #[must_use]
-pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
+pub fn read_outs(scene: &Scene, speed: f64, units: Units) -> [Vec<ReadOut>; 2] {
     let camera = &scene.camera;
     let degrees = |angle: f64| format!("{angle:.1}°");
     let height = height(scene.degrees_above_disk());
-    let mut place = vec![
-        ReadOut::new("r", format!("{} r_s", steady_digits(camera.r)), "00000 r_s"),
-        ReadOut::new("", height, "00.0° above the disk"),
-        ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
-        ReadOut::new("azimuth", degrees(camera.phi_deg), "−000.0°"),
-    ];
+    let distance = units.length(camera.r, steady_digits);
+    let distance = match units {
+        Units::Hole => ReadOut::new("r", distance, "00000 r_s"),
+        Units::Everyday(_) => ReadOut::new("distance", distance, "000.0 million km"),
+    };
+    let mut place = vec![distance, ReadOut::new("", height, "00.0° above the disk")];
+    if !units.are_simple() {
+        place.extend([
+            ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
+            ReadOut::new("azimuth", degrees(camera.phi_deg), "−000.0°"),
+        ]);
+    }
     // Most cameras do not roll.
     if camera.roll_deg.abs() >= 0.05 {
         place.push(ReadOut::new("roll", degrees(camera.roll_deg), "−000.0°"));
@@ -107,8 +116,8 @@ pub(super) fn show_read_outs(
     held: HeldControls,
     free_fall: Res<FreeFall>,
     (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
-    bindings: Res<Bindings>,
-    presence: Res<Presence>,
+    (bindings, shot): (Res<Bindings>, Res<WindowShot>),
+    (presence, preferences): (Res<Presence>, Res<Preferences>),
 ) {
     let mut strength = presence.of_read_outs();
     // A mode that changes what the keys do is always named.
@@ -118,12 +127,13 @@ pub(super) fn show_read_outs(
     let Some((context, layout)) = screen.texts().filter(|_| strength > 0.0) else {
         return;
     };
-    // Shift alone, as in Shift+F12, flies nowhere.
-    let gear = match held.any_flight() {
-        true => GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
-        false => 1.0,
+    let units = preferences.settings.units();
+    // The Shift of Shift+F12 is not one that flies faster.
+    let gear = match shot.holds_still() {
+        true => 1.0,
+        false => GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
     };
-    let mut lines = read_outs(&scene, pilot.throttle * gear);
+    let mut lines = read_outs(&scene, pilot.throttle * gear, units);
     let moves = free_fall.is_moving() || player.is_playing();
     let motion = &mut lines[1];
     match scene.observer.kind {
@@ -138,8 +148,8 @@ pub(super) fn show_read_outs(
     let modes = [
         orbit.status(&bindings),
         journey(&player, paused.0, &bindings),
-        free_fall.clocks(&scene),
-        disk_clock::status(&scene, moves, paused.0, &bindings),
+        free_fall.clocks(&scene, units),
+        disk_clock::status(&scene, (moves, paused.0), &bindings, units),
     ];
     let modes: Vec<_> = modes.into_iter().filter(|line| !line.is_empty()).collect();
     // Where there is no room for all lines, the modes are shown alone, or the place.

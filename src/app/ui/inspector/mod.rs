@@ -13,6 +13,7 @@ use crate::app::input::pointer::{PointerOverPicture, locate_pointer};
 use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
 use crate::app::ui::guides::PictureInWindow;
@@ -149,6 +150,7 @@ fn receive_rays(mut inspector: ResMut<Inspector>, mut toast: ResMut<Toast>) {
 
 fn show_inspector(
     mut contexts: EguiContexts,
+    preferences: Res<Preferences>,
     picture: PictureInWindow,
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
@@ -227,7 +229,8 @@ fn show_inspector(
             .id_salt("numbers")
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                numbers::show(ui, first, seen, answer.gpu_fault.as_deref());
+                let units = preferences.settings.units();
+                numbers::show(ui, first, seen, answer.gpu_fault.as_deref(), units);
             });
         // Next frame the drawing makes room for them.
         let wanted = shown.inner_rect.top() - top + shown.content_size.y + 8.0;

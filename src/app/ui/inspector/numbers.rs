@@ -4,6 +4,7 @@ use bevy_egui::egui;
 use lightfall_core::accuracy::inspection::{Difference, Inspected, Inspection};
 use lightfall_core::accuracy::rays::Record;
 use lightfall_core::numbers::{four_digits, short_number};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::trace::{Hit, Outcome};
 use lightfall_core::scene::Scene;
 
@@ -16,16 +17,22 @@ const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in
     order of the image counts the whole ones. A straight ray that comes from the sky and passes the \
     hole sweeps nearly one, so the direct image of the sky has up to 1.";
 
-pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>) {
-    let (numbers, trace) = (&ray.numbers, &ray.trace);
-    let opaque = scene.disk.transmission == 0.0;
-    egui::Grid::new("numbers")
-        .num_columns(2)
-        .spacing([10.0, 2.0])
-        .striped(true)
-        .show(ui, |ui| {
-            let mut row = |name: &str, value: Option<String>| {
-                if let Some(value) = value {
+/// Rows of names and values.
+#[derive(Default)]
+struct Rows(Vec<(String, String)>);
+
+impl Rows {
+    fn add(&mut self, name: &str, value: Option<String>) {
+        self.0.extend(value.map(|value| (name.to_owned(), value)));
+    }
+
+    fn show(&self, ui: &mut egui::Ui, id: &str) {
+        egui::Grid::new(id)
+            .num_columns(2)
+            .spacing([10.0, 2.0])
+            .striped(true)
+            .show(ui, |ui| {
+                for (name, value) in &self.0 {
                     let label = ui.label(name);
                     if name == HALF_TURNS {
                         label.on_hover_text(ABOUT_HALF_TURNS);
@@ -33,95 +40,121 @@ pub(super) fn show(ui: &mut egui::Ui, ray: &Inspected, scene: &Scene, gpu_fault:
                     ui.monospace(value);
                     ui.end_row();
                 }
-            };
-            let cpu = &numbers.cpu;
-            row("shows", Some(outcome(cpu, opaque).into()));
-            if numbers.gpu.is_none() {
-                let reason = gpu_fault.unwrap_or("waiting for the GPU");
-                row(GPU_ERROR, Some(reason.into()));
-            }
-            if let Some(difference) = numbers.difference {
-                differences(&mut row, &difference, numbers, opaque);
-            }
-            let mut turned = format!("{:.3}", numbers.half_turns);
-            if let Some(order) = numbers.order {
-                turned += &format!(", order {order}");
-            }
-            row(HALF_TURNS, Some(turned));
-            let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
-            row("deflection", deflection.map(|angle| format!("{angle}°")));
-            let closest = if cpu.outcome == Outcome::Captured {
-                "none: comes from the horizon".into()
-            } else {
-                measured(numbers.closest_r, "r_s")
-            };
-            let approach = if opaque && cpu.hit1_r.is_some() {
-                "closest, without disk"
-            } else {
-                "closest approach"
-            };
-            row(approach, Some(closest));
-            // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
-            // the same sign.
-            let impact = if numbers.impact_parameter.is_some_and(|b| b < 0.0) {
-                "b, of energy E < 0"
-            } else {
-                "impact parameter b"
-            };
-            row(impact, numbers.impact_parameter.map(|b| measured(b, "r_s")));
-            row(
-                "lambda = L/E",
-                numbers.lambda.map(|lambda| measured(lambda, "r_s")),
-            );
-            row("eta = Q/E²", numbers.eta.map(|eta| measured(eta, "r_s²")));
-            let sky = trace
-                .sky
-                .map(|sky| format!("{:.3} {:.3} {:.3}", sky.x, sky.y, sky.z));
-            row("sky direction", sky);
-            let temperatures = [numbers.hit1_temperature_k, numbers.hit2_temperature_k];
-            let hits = ["first", "second"].into_iter().zip(trace.hits);
-            for ((which, hit), temperature) in hits.zip(temperatures) {
-                let Some(Hit { r, phi, g, delay }) = hit else {
-                    continue;
-                };
-                let place = format!("r {} r_s, phi {:.1}°", four_digits(r), phi.to_degrees());
-                row(&format!("{which} disk hit"), Some(place));
-                let light = temperature
-                    .map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
-                row("   redshift", light);
-                row(
-                    "   emitted",
-                    delay.map(|delay| measured(delay, "r_s/c earlier")),
-                );
-            }
-            row("reference", Some(work(cpu)));
-            row("GPU", numbers.gpu.as_ref().map(work));
-        });
+            });
+    }
 }
 
-fn differences(
-    row: &mut impl FnMut(&str, Option<String>),
-    difference: &Difference,
-    numbers: &Inspection,
-    opaque: bool,
+/// Shows what the ray shows and where it has been and, unless words are simple, what only specialists
+/// ask for.
+pub(super) fn show(
+    ui: &mut egui::Ui,
+    ray: &Inspected,
+    scene: &Scene,
+    gpu_fault: Option<&str>,
+    units: Units,
 ) {
+    light_and_path(ray, scene, units).show(ui, "numbers");
+    if !units.are_simple() {
+        ui.add_space(6.0);
+        ui.strong("For specialists");
+        constants_and_errors(ray, scene, gpu_fault).show(ui, "constants and errors");
+    }
+}
+
+fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
+    let (numbers, trace) = (&ray.numbers, &ray.trace);
+    let opaque = scene.disk.transmission == 0.0;
+    let cpu = &numbers.cpu;
+    let length = |length| units.length(length, four_digits);
+    let mut rows = Rows::default();
+    rows.add("shows", Some(outcome(cpu, opaque).into()));
+    let temperatures = [numbers.hit1_temperature_k, numbers.hit2_temperature_k];
+    let hits = ["first", "second"].into_iter().zip(trace.hits);
+    for ((which, hit), temperature) in hits.zip(temperatures) {
+        let Some(Hit { r, phi, g, delay }) = hit else {
+            continue;
+        };
+        let place = match units {
+            Units::Hole => format!("r {}, phi {:.1}°", length(r), phi.to_degrees()),
+            Units::Everyday(_) => format!("{} from the hole", length(r)),
+        };
+        rows.add(&format!("{which} disk hit"), Some(place));
+        let light =
+            temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
+        rows.add("   redshift", light);
+        let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
+        rows.add("   emitted", delay.map(earlier));
+    }
+    let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
+    rows.add("deflection", deflection.map(|angle| format!("{angle}°")));
+    let mut turned = format!("{:.3}", numbers.half_turns);
+    if let Some(order) = numbers.order {
+        turned += &format!(", order {order}");
+    }
+    rows.add(HALF_TURNS, Some(turned));
+    let closest = if cpu.outcome == Outcome::Captured {
+        "none: comes from the horizon".into()
+    } else {
+        length(numbers.closest_r)
+    };
+    let approach = if opaque && cpu.hit1_r.is_some() {
+        "closest, without disk"
+    } else {
+        "closest approach"
+    };
+    rows.add(approach, Some(closest));
+    rows
+}
+
+fn constants_and_errors(ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>) -> Rows {
+    let (numbers, trace) = (&ray.numbers, &ray.trace);
+    let opaque = scene.disk.transmission == 0.0;
+    let mut rows = Rows::default();
+    // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have the same
+    // sign.
+    let impact = if numbers.impact_parameter.is_some_and(|b| b < 0.0) {
+        "b, of energy E < 0"
+    } else {
+        "impact parameter b"
+    };
+    rows.add(impact, numbers.impact_parameter.map(|b| measured(b, "r_s")));
+    let lambda = numbers.lambda.map(|lambda| measured(lambda, "r_s"));
+    rows.add("lambda = L/E", lambda);
+    rows.add("eta = Q/E²", numbers.eta.map(|eta| measured(eta, "r_s²")));
+    let sky = trace
+        .sky
+        .map(|sky| format!("{:.3} {:.3} {:.3}", sky.x, sky.y, sky.z));
+    rows.add("sky direction", sky);
+    if numbers.gpu.is_none() {
+        let reason = gpu_fault.unwrap_or("waiting for the GPU");
+        rows.add(GPU_ERROR, Some(reason.into()));
+    }
+    if let Some(difference) = numbers.difference {
+        differences(&mut rows, &difference, numbers, opaque);
+    }
+    rows.add("reference", Some(work(&numbers.cpu)));
+    rows.add("GPU", numbers.gpu.as_ref().map(work));
+    rows
+}
+
+fn differences(rows: &mut Rows, difference: &Difference, numbers: &Inspection, opaque: bool) {
     if !difference.same_class {
         let gpu = numbers.gpu.as_ref();
-        row("GPU says", gpu.map(|gpu| outcome(gpu, opaque).into()));
+        rows.add("GPU says", gpu.map(|gpu| outcome(gpu, opaque).into()));
     }
     let backward = difference.backward.zip(difference.backward_px);
     let backward =
         backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), short_number(pixels)));
-    row(GPU_ERROR, backward);
+    rows.add(GPU_ERROR, backward);
     let sky = difference.sky.map(|angle| format!("{} rad", size(angle)));
-    row("GPU error, sky", sky);
+    rows.add("GPU error, sky", sky);
     let hit = difference.hit_r.zip(difference.hit_g);
     let hit = hit.map(|(r, g)| format!("{}, {}", size(r), size(g)));
-    row("GPU error, disk r, g", hit);
+    rows.add("GPU error, disk r, g", hit);
     let delay = difference
         .hit_t
         .map(|delay| format!("{} r_s/c", size(delay)));
-    row("GPU error, emitted", delay);
+    rows.add("GPU error, emitted", delay);
 }
 
 /// A number with its unit.

@@ -5,11 +5,11 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::state::settings::{HOLE_MASSES, Settings};
 use crate::app::ui::help::RADIUS_UNIT;
-use crate::app::ui::number::{from_words, in_words};
 use bevy_egui::egui;
-use lightfall_core::numbers::duration_in_words;
+use lightfall_core::numbers::{duration_in_words, from_words, in_words};
 use lightfall_core::optics::disk::inner_period;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::readout::{HotSpotReadout, Readout};
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::Duration;
@@ -50,15 +50,16 @@ impl ReadoutsPage {
         settings: &mut Settings,
     ) {
         let mass = choose_mass(ui, settings);
+        let units = settings.units();
         ui.separator();
         match self.readout(scene) {
             Ok(readout) => {
-                tables(ui, readout, scene.observer.kind, mass);
+                tables(ui, readout, scene.observer.kind, (mass, units));
                 if let Some(spot) = &readout.hot_spot {
-                    echo(ui, spot, mass);
+                    echo(ui, spot, (mass, units));
                 }
-                clocks(ui, free_fall, bindings, mass);
-                disk(ui, scene, mass);
+                clocks(ui, free_fall, bindings, (mass, units));
+                disk(ui, scene, (mass, units));
             }
             Err(reason) => {
                 ui.colored_label(ui.visuals().error_fg_color, reason);
@@ -72,40 +73,51 @@ fn measured(number: f64, unit: &str) -> String {
     format!("{} {unit}", in_words(number))
 }
 
-fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMass) {
+fn tables(
+    ui: &mut egui::Ui,
+    readout: &Readout,
+    kind: ObserverKind,
+    (mass, units): (HoleMass, Units),
+) {
     let si = readout.in_si(mass);
     let none = || "not defined here".to_owned();
     let speed = |speed: Option<f64>| speed.map_or_else(none, |speed| measured(speed, "c"));
     let [theta, phi] = readout.angles_deg;
-    table(
-        ui,
-        "Place",
-        &[
-            ("Distance", measured(readout.r, "r_s")),
-            ("", measured(si.r_km, "km")),
-            ("Above the equator", format!("{:.3}°", 90.0 - theta)),
-            ("Around the hole", format!("{phi:.3}°")),
-        ],
-    );
+    let pair = |name, own: String, everyday: String| {
+        let rows = [
+            own_units(name, own, units),
+            Some((name_beside(name, units), everyday)),
+        ];
+        rows.into_iter().flatten()
+    };
+    let mut place: Vec<_> = pair(
+        "Distance",
+        measured(readout.r, "r_s"),
+        measured(si.r_km, "km"),
+    )
+    .collect();
+    place.push(("Above the equator", format!("{:.3}°", 90.0 - theta)));
+    place.push(("Around the hole", format!("{phi:.3}°")));
+    table(ui, "Place", &place);
     let past_zamo = "Speed past one of zero angular momentum";
     let clock = readout.time_dilation.map_or_else(none, in_words);
-    table(
-        ui,
-        "Observer",
-        &[
-            ("Motion", kind.properties().motion_in_full.into()),
-            ("Speed past a hovering one", speed(readout.speed_for_static)),
-            (past_zamo, speed(readout.speed_for_zamo)),
-            ("Your clock, per far-away second", clock),
-            (
-                "Acceleration felt",
-                measured(readout.acceleration, "c²/r_s"),
-            ),
-            ("", measured(si.acceleration_g, "g")),
-            ("Tide", measured(readout.tide, "c²/r_s²")),
-            ("", measured(si.tide_g_per_metre, "g per metre")),
-        ],
-    );
+    let mut observer = vec![
+        ("Motion", kind.properties().motion_in_full.into()),
+        ("Speed past a hovering one", speed(readout.speed_for_static)),
+    ];
+    observer.extend(own_units(past_zamo, speed(readout.speed_for_zamo), units));
+    observer.push(("Your clock, per far-away second", clock));
+    observer.extend(pair(
+        "Acceleration felt",
+        measured(readout.acceleration, "c²/r_s"),
+        measured(si.acceleration_g, "g"),
+    ));
+    observer.extend(pair(
+        "Tide",
+        measured(readout.tide, "c²/r_s²"),
+        measured(si.tide_g_per_metre, "g per metre"),
+    ));
+    table(ui, "Observer", &observer);
     let ahead = match readout.ahead {
         Some(light) => {
             let from = if light.from_disk {
@@ -137,8 +149,11 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
 
 /// The period of the hot spot's orbit, the travel time of the light of its direct image, and the delay
 /// of each further image after the one before.
-fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
-    let both = |time: f64| format!("{} = {}", measured(time, "r_s/c"), in_minutes(time, mass));
+fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, (mass, units): (HoleMass, Units)) {
+    let both = |time: f64| match units {
+        Units::Hole => format!("{} = {}", measured(time, "r_s/c"), in_minutes(time, mass)),
+        Units::Everyday(_) => in_minutes(time, mass),
+    };
     let known = |time: Option<f64>| time.map_or_else(|| "not known here".into(), both);
     let [direct, once, twice] = spot.delays;
     let later = |first: Option<f64>, second: Option<f64>| {
@@ -166,7 +181,12 @@ fn in_minutes(time: f64, mass: HoleMass) -> String {
     }
 }
 
-fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: HoleMass) {
+fn clocks(
+    ui: &mut egui::Ui,
+    free_fall: &FreeFall,
+    bindings: &Bindings,
+    (mass, units): (HoleMass, Units),
+) {
     let Some(worldline) = free_fall.worldline() else {
         ui.weak(format!(
             "{} lets go: the observer falls or orbits, and its clocks appear here.",
@@ -176,7 +196,10 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     };
     let both = |time: f64| {
         let seconds = measured(time * mass.seconds(), "s");
-        format!("{} = {seconds}", measured(time, "r_s/c"))
+        match units {
+            Units::Hole => format!("{} = {seconds}", measured(time, "r_s/c")),
+            Units::Everyday(_) => units.time(time, in_words),
+        }
     };
     let far = match worldline.coordinate_time() {
         Some(far) => ("Far time", both(far)),
@@ -190,26 +213,44 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
 }
 
 /// The disk's clock, and the period of an orbit at its inner edge.
-fn disk(ui: &mut egui::Ui, scene: &Scene, mass: HoleMass) {
+fn disk(ui: &mut egui::Ui, scene: &Scene, (mass, units): (HoleMass, Units)) {
     if !scene.disk.enabled {
         return;
     }
     let in_seconds = |time: f64| duration_in_words(time * mass.seconds());
     let (time, rate) = (scene.disk.time, scene.disk.rate);
+    let (own, beside) = (
+        |name, value| own_units(name, value, units),
+        |name| name_beside(name, units),
+    );
     let mut rows = Vec::new();
     if scene.disk_moves() {
-        rows.push(("Time at the camera", format!("{time:.1} r_s/c")));
-        rows.push(("One second here", measured(rate, "r_s/c")));
-        rows.push(("", format!("{} for {}", in_seconds(rate), mass.name)));
+        let time = units.time(time, |time| format!("{time:.1}"));
+        rows.push(("Time at the camera", time));
+        rows.extend(own("One second here", measured(rate, "r_s/c")));
+        rows.push((
+            beside("One second here"),
+            format!("{} for {}", in_seconds(rate), mass.name),
+        ));
     }
     if let Some(period) = inner_period(scene) {
-        rows.push(("Orbit at the inner edge", measured(period, "r_s/c")));
-        rows.push(("", in_seconds(period)));
+        rows.extend(own("Orbit at the inner edge", measured(period, "r_s/c")));
+        rows.push((beside("Orbit at the inner edge"), in_seconds(period)));
         if scene.disk_moves() && rate > 0.0 {
             rows.push(("On the screen", measured(period / rate, "s")));
         }
     }
     table(ui, "The disk", &rows);
+}
+
+/// The row with a quantity in the hole's units. None where words are simple.
+fn own_units(name: &'static str, value: String, units: Units) -> Option<(&'static str, String)> {
+    (!units.are_simple()).then_some((name, value))
+}
+
+/// The name of the row with the same quantity in everyday units, which follows [`own_units`].
+fn name_beside(name: &'static str, units: Units) -> &'static str {
+    if units.are_simple() { name } else { "" }
 }
 
 fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {

@@ -121,6 +121,12 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 .on_hover_text("Journeys do not roll, and the exposure stays as it is during a flight");
             switch(ui, &mut settings.reduced_motion);
             ui.end_row();
+            ui.label("Simple words").on_hover_text(
+                "Kilometres and minutes for the mass on the page Read-outs, in place of r_s and r_s/c, and no rows \
+                 for specialists",
+            );
+            switch(ui, &mut settings.simple_words);
+            ui.end_row();
             ui.label("Key hints")
                 .on_hover_text("The keys for newcomers at the lower right. They go away after some use");
             switch(ui, &mut settings.key_hints);
