@@ -34,7 +34,7 @@ pub use motion::flight_step::FlightStep;
 pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
-pub use motion::steering::{Barrier, Steered, Steering, steered};
+pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
 pub use motion::zoom::zoomed;
 pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;

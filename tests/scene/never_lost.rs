@@ -3,7 +3,8 @@
 
 use glam::{DMat3, DVec2, DVec3};
 use lightfall::app::{
-    Aim, Barrier, OrbitStep, Steering, aimed, between_axes, next_aim, orbited, steered, zoomed,
+    Aim, Barrier, OrbitStep, Steering, aimed, between_axes, next_aim, orbited, steered,
+    thrust_fades, zoomed,
 };
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
@@ -96,6 +97,18 @@ fn sideways_flight_keeps_the_radius_and_the_holes_place_on_the_screen() {
             assert!(moved < 1e-6, "preset {name}: {moved}");
         }
     }
+}
+
+#[test]
+fn thrust_inward_fades_where_the_hole_fills_the_view() {
+    let far = placed(0.0, ObserverKind::Static, 20.0, 83.0);
+    assert!(!thrust_fades(&far));
+    let (near, stopped) = held(&far, DVec3::Z, 20.0);
+    assert!(
+        thrust_fades(&near) && stopped.is_none(),
+        "{}",
+        near.camera.r
+    );
 }
 
 #[test]

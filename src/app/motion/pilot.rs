@@ -3,7 +3,7 @@
 use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
 use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
-use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered};
+use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered, thrust_fades};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
@@ -319,7 +319,8 @@ pub(super) fn steer_camera(
     }
 }
 
-/// Messages about a frame of flying by hand: a change of the observer, and what stopped the camera.
+/// Messages about a frame of flying by hand: a change of the observer, and what stopped or slowed the
+/// camera.
 fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>; 2] {
     let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| bindings.label(id));
     let [was, is] = [before, flown.scene.scene()].map(|scene| scene.observer.kind);
@@ -340,7 +341,10 @@ fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>
             format!("Inside the horizon every way leads inward: {fall} falls on, {back} returns")
         }
     });
-    [observer, barrier]
+    let inward = flown.scene.camera.r < before.camera.r;
+    let faded = (barrier.is_none() && inward && thrust_fades(before))
+        .then(|| format!("So close, thrust inward fades: {fall} lets go and falls in"));
+    [observer, barrier.or(faded)]
 }
 
 /// The message that another observer replaces one that cannot exist.

@@ -18,6 +18,8 @@ const SLOWING_SHARES: [f64; 2] = [0.35, 1.0];
 /// The slowest speed inward and sideways, as shares of the usual one.
 const MIN_PACE_INWARD: f64 = 0.08;
 const MIN_PACE_SIDEWAYS: f64 = 0.25;
+/// The speed inward, as a share of the usual one, below which thrust inward counts as faded.
+const FADED_PACE: f64 = 0.3;
 /// Share of half the picture's width below which the hole is small, and flying outward no longer
 /// gets faster with the radius.
 const SMALL_SHARE: f64 = 0.02;
@@ -167,6 +169,12 @@ impl Pace {
             outward: (share / SMALL_SHARE).min(1.0),
         }
     }
+}
+
+/// Whether the hole fills so much of the view that thrust inward leads almost nowhere.
+#[must_use]
+pub fn thrust_fades(scene: &Scene) -> bool {
+    Pace::of(scene).inward < FADED_PACE
 }
 
 /// Whether the camera is at or inside the horizon.

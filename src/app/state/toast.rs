@@ -32,9 +32,12 @@ impl Toast {
 
     /// Says something for at least this long, unless another sentence takes its place.
     pub(crate) fn say_for(&mut self, min_duration: Duration, text: impl Into<String>) {
+        let text = text.into();
+        // A sentence that is said again stays, and does not fade in again.
+        let shown = self.shown.filter(|_| self.text == text);
         *self = Self {
-            text: text.into(),
-            shown: None,
+            shown: shown.map(|shown| shown.min(FADE)),
+            text,
             min_duration,
         };
     }

@@ -156,6 +156,11 @@ fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
     let (window, _) = saved(3);
     shows_the_picture(&window);
     assert!(corner(&window) != bare[0].0, "the HUD is not in the window");
-    assert!(messages(&window) == bare[0].1, "a message is in the window");
+    // Letters are bright. A tone of the picture, which the pixel look dithers, may differ by a few steps.
+    let message = messages(&window)
+        .iter()
+        .zip(&bare[0].1)
+        .any(|(shown, plain)| (0..3).any(|channel| shown[channel].abs_diff(plain[channel]) > 100));
+    assert!(!message, "a message is in the window");
     assert_eq!(std::fs::read_dir(&pictures).unwrap().count(), 3);
 }
