@@ -22,16 +22,16 @@ const PADDING: Vec2 = Vec2::new(10.0, 6.0);
 const CORNER_RADIUS: f32 = 5.0;
 
 /// Widths, as shares of the largest one, sizes, as shares of the usual one, and numbers of rows in which
-/// a text is tried. Where there is no room for all of it, it ends in an ellipsis.
-const SHAPES: [(f32, f32, usize); 7] = [
+/// a text is tried.
+const SHAPES: [(f32, f32, usize); 5] = [
     (1.0, 1.0, usize::MAX),
     (0.6, 1.0, usize::MAX),
     (0.4, 1.0, usize::MAX),
     (1.0, 0.75, usize::MAX),
     (1.0, 0.55, usize::MAX),
-    (1.0, 0.75, 2),
-    (1.0, 0.75, 1),
 ];
+/// The same where there is no room for all of it, and it ends in an ellipsis.
+const CUT: [(f32, f32, usize); 2] = [(1.0, 0.75, 2), (1.0, 0.75, 1)];
 
 /// Texts with their places, to be painted in a box.
 pub(super) struct Board {
@@ -120,8 +120,11 @@ impl Board {
             covers_hole: false,
             ..wish
         };
-        let wishes = [beside, wish].map(|wish| SHAPES.map(|shape| (wish, shape)));
-        for (wish, (share, smaller, rows)) in wishes.into_iter().flatten() {
+        // A text covers the hole, if it may, rather than being cut.
+        let tries = [&SHAPES[..], &CUT].into_iter().flat_map(|shapes| {
+            [beside, wish].map(|wish| shapes.iter().map(move |shape| (wish, *shape)))
+        });
+        for (wish, (share, smaller, rows)) in tries.flatten() {
             let font = FontId::proportional(smaller * size);
             let mut job = LayoutJob::simple(text.to_owned(), font, colour, share * width);
             job.wrap.max_rows = rows;

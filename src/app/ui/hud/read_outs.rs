@@ -13,7 +13,7 @@ use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::window_shot::WindowShot;
-use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2};
@@ -152,10 +152,13 @@ pub(super) fn show_read_outs(
         disk_clock::status(&scene, (moves, paused.0), &bindings, units),
     ];
     let modes: Vec<_> = modes.into_iter().filter(|line| !line.is_empty()).collect();
-    // Where there is no room for all lines, the modes are shown alone, or the place.
+    // Where there is no room for all lines, the modes are shown alone, or the place. A part of them in
+    // the corner is calmer than all of them somewhere else.
     let parts: [(&[_], &[_]); 3] = [(&lines, &modes), (&[], &modes), (&lines[..1], &[])];
-    for (lines, modes) in parts {
-        if paint_lines(context, layout, strength, (lines, modes)) {
+    let slides = [Slide::Nowhere, Slide::Anywhere].map(|slide| parts.map(|part| (slide, part)));
+    for (slide, part) in slides.into_iter().flatten() {
+        let wish = layout.at(Align2::LEFT_BOTTOM, slide);
+        if paint_lines(context, layout, strength, wish, part) {
             break;
         }
     }
@@ -166,6 +169,7 @@ fn paint_lines(
     context: &egui::Context,
     layout: &mut Layout,
     strength: f32,
+    wish: Wish,
     (lines, modes): (&[Vec<ReadOut>], &[String]),
 ) -> bool {
     let width = layout.bounds().width();
@@ -174,7 +178,6 @@ fn paint_lines(
     for line in modes {
         board.add_line(board.text(line, TEXT, BRIGHT, width - 2.0 * GAP[0]), GAP[1]);
     }
-    let wish = layout.at(Align2::LEFT_BOTTOM, Slide::Anywhere);
     board.paint(layout, wish).is_some()
 }
 
