@@ -3,6 +3,7 @@
 use super::cli::ReportArgs;
 use super::stop::Stop;
 use lightfall_core::accuracy::rays::is_closed_pipe;
+use lightfall_core::reason::reason;
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::{csv, json};
 use lightfall_platform::storage;
@@ -25,7 +26,7 @@ pub(super) fn print_to(text: &str, out: &mut impl Write) -> Result<(), Stop> {
 pub(super) fn output_result(written: io::Result<()>) -> Result<(), Stop> {
     match written {
         Err(error) if !is_closed_pipe(&error) => {
-            Err(Stop::failed(format!("standard output: {error}")))
+            Err(Stop::failed(format!("standard output: {}", reason(&error))))
         }
         _ => Ok(()),
     }
@@ -48,12 +49,12 @@ pub(super) fn create_report_folder(args: &ReportArgs) -> Result<(), Stop> {
                     "{} is a file, and this must be a folder, or one that can be made",
                     part.display()
                 ),
-                None => format!("this folder cannot be made: {error}"),
+                None => format!("this folder cannot be made: {}", reason(&error)),
             },
         )
     })?;
     storage::check_folder_writable(folder)
-        .map_err(|error| fault(format!("no report can be written: {error}")))
+        .map_err(|error| fault(format!("no report can be written: {}", reason(&error))))
 }
 
 /// Writes one file of a report.

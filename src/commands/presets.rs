@@ -12,7 +12,6 @@ use lightfall_platform::storage;
 use lightfall_render::cost_report;
 use std::ffi::OsStr;
 use std::io::Write;
-use std::path::Path;
 
 /// Runs `lightfall presets` and writes the answer to `out`.
 ///
@@ -26,7 +25,7 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Sto
             sets,
             needs,
         } => show(preset, sets, *needs)?,
-        PresetsCommand::Check { file } => check(file)?,
+        PresetsCommand::Check { preset } => check(preset)?,
     };
     print_to(&answer, out)
 }
@@ -56,16 +55,17 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
     })
 }
 
-/// Checks that a preset file can be read and its scene traced.
-fn check(file: &Path) -> Result<String, Stop> {
-    let scene = storage::read_scene(file, &[])?;
-    for idle in idle_fields(file, &scene) {
-        say(format_args!("lightfall: {}: {idle}", file.display()));
+/// Checks that a preset can be read and its scene traced.
+fn check(preset: &OsStr) -> Result<String, Stop> {
+    let scene = storage::scene_by_name("presets check", preset, &[])?;
+    let name = preset.display();
+    for idle in idle_fields(preset, &scene) {
+        say(format_args!("lightfall: {name}: {idle}"));
     }
-    note_lacking(file.display(), [&scene.name, &scene.title]);
+    note_lacking(&name, [&scene.name, &scene.title]);
     match GpuScene::for_rays(&scene) {
         // A preset for the reference is useful, too: `trace --device cpu` runs it.
-        Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{}: ok\n", file.display())),
-        Err(error) => Err(Stop::refused(format!("{}: {error}", file.display()))),
+        Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{name}: ok\n")),
+        Err(error) => Err(Stop::refused(format!("{}: {error}", preset.display()))),
     }
 }

@@ -68,6 +68,8 @@ pub(super) fn note_unused(
             Some(with_remedy(idle, "--set "))
         } else if without.differences(scene).is_empty() {
             Some("the scene has this value without it".into())
+        } else if let Some(reason) = without.same_value(scene, &given.key) {
+            Some(reason.into())
         } else {
             decided(&without)
         };
@@ -112,11 +114,12 @@ fn without(args: &SceneArgs, overrides: &[Override], index: usize) -> Option<Sce
     scene_with(args, &others).ok()
 }
 
-/// The fields that a preset file sets and that change nothing, each with the reason. The list of a
-/// picture is empty.
-pub(super) fn idle_fields(file: &Path, scene: &Scene) -> Vec<String> {
+/// The fields that a user's preset sets and that change nothing, each with the reason. The list of a
+/// built-in preset and that of a picture are empty.
+pub(super) fn idle_fields(preset: &OsStr, scene: &Scene) -> Vec<String> {
     let mut idle = Vec::new();
-    if is_in_picture(file) {
+    let is_built_in = preset.to_str().and_then(presets::find).is_some();
+    if is_built_in || is_in_picture(Path::new(preset)) {
         return idle;
     }
     for (key, value) in scene.differences(&Scene::default()) {
@@ -142,11 +145,10 @@ fn is_in_picture(preset: &Path) -> bool {
 
 /// Says in one sentence that a user's preset sets fields that change nothing.
 pub(super) fn note_idle_preset(preset: Option<&OsStr>, scene: &Scene) {
-    let is_file = |preset: &&OsStr| preset.to_str().and_then(presets::find).is_none();
-    let Some(preset) = preset.filter(is_file) else {
+    let Some(preset) = preset else {
         return;
     };
-    let idle = idle_fields(Path::new(preset), scene);
+    let idle = idle_fields(preset, scene);
     let name = preset.display();
     match idle.as_slice() {
         [] => {}

@@ -326,8 +326,18 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("my.toml");
     let named = |rest: &str| format!("{}: {rest}", path.display());
-    assert!(fault(&of_preset(&path)).starts_with(&named("cannot be read: ")));
-    assert!(fault(&of_preset(folder.path())).contains(": cannot be read: "));
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named("cannot be read: there is no such file")
+    );
+    assert!(fault(&of_preset(folder.path())).ends_with(": cannot be read: it is a folder"));
+    for empty in ["", " \n\t\n", "\u{feff}", "# r = 3\n"] {
+        fs::write(&path, empty).unwrap();
+        let sentence = named("is empty; presets and journeys are short TOML texts");
+        assert_eq!(fault(&of_preset(&path)), sentence);
+        let journey = commands::journey(Some(&path), &preset()).unwrap_err();
+        assert_eq!(journey.to_string(), sentence);
+    }
     fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
     assert_eq!(
         fault(&of_preset(&path)),
@@ -391,12 +401,43 @@ fn a_shown_preset_is_a_preset_file_of_the_same_scene() {
 }
 
 #[test]
+fn presets_are_checked_by_number_name_and_path() {
+    for preset in ["2", "edge-on", "orion"] {
+        let line = format!("lightfall presets check {preset}");
+        assert_eq!(answer(&line), format!("{preset}: ok\n"));
+    }
+    let Command::Presets(check) = read("lightfall presets check edge_on") else {
+        panic!()
+    };
+    assert_eq!(
+        commands::presets(&check, &mut Vec::new())
+            .unwrap_err()
+            .to_string(),
+        "presets check edge_on: there is no such preset or file; did you mean edge-on?"
+    );
+}
+
+#[test]
+fn a_fault_of_a_commands_options_shows_that_commands_usage() {
+    for (line, usage) in [
+        (
+            "lightfall render --journey none -o x.png",
+            "lightfall render",
+        ),
+        ("lightfall --preset 2 presets list", "lightfall presets"),
+    ] {
+        let error = refuse(line).to_string();
+        assert!(error.contains(&format!("Usage: {usage} ")), "{error}");
+    }
+}
+
+#[test]
 fn a_wrong_preset_file_does_not_pass_the_check() {
     let file = tempfile::NamedTempFile::new().unwrap();
     fs::write(&file, "hole.spin = 3").unwrap();
     let error = commands::presets(
         &PresetsCommand::Check {
-            file: file.path().into(),
+            preset: file.path().into(),
         },
         &mut Vec::new(),
     )
@@ -476,6 +517,11 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     assert!(
         refuse("lightfall --journey mine.toml render -o x.png")
             .to_string()
+            .contains("--journey needs --frames A..B")
+    );
+    assert!(
+        refuse("lightfall --journey mine.toml doctor")
+            .to_string()
             .contains("--journey is for flying")
     );
     assert_eq!(commands::journey(None, &preset()).unwrap().duration, 116.0);
@@ -484,6 +530,16 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
             .unwrap_err()
             .to_string()
             .starts_with(&format!("{}: cannot be read", file.display()))
+    );
+    fs::write(&file, b"\x89PNG\r\n\x1a\n").unwrap();
+    assert_eq!(
+        commands::journey(Some(&file), &preset())
+            .unwrap_err()
+            .to_string(),
+        format!(
+            "{}: is a picture, and a journey is a TOML text of keyframes",
+            file.display()
+        )
     );
     fs::write(
         &file,

@@ -77,7 +77,8 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     );
     let (status, _, stderr) = program(folder.path(), "trace --rays nofile", "");
     assert!(
-        status == 2 && stderr.starts_with("lightfall: nofile: cannot be read"),
+        status == 2
+            && stderr.starts_with("lightfall: nofile: cannot be read: there is no such file\n"),
         "{stderr}"
     );
 }

@@ -53,6 +53,14 @@ fn an_option_that_changes_nothing_is_named_with_the_reason() {
             "--set probe.enabled=true changes no pixel of this picture; what it sets may be hidden, out of view, too small to be seen, or without effect beside other values",
         ),
         (
+            "-o a.png --set camera.phi_deg=-360",
+            "--set camera.phi_deg=-360 changes nothing: the scene has the same angle without it, but for whole turns",
+        ),
+        (
+            "-o a.png --set disk.waves=25",
+            "--set disk.waves=25 changes nothing: the number of waves is rounded down to a multiple of four",
+        ),
+        (
             "-o a-#.png --frames 30..31 --set camera.r=9 --set disk.rate=9",
             "--set camera.r=9 changes nothing: the journey decides it; --journey none keeps the camera where the scene has it",
         ),

@@ -139,7 +139,7 @@ fn a_folder_that_accepts_no_files_is_found_before_any_work_is_done() {
     );
     let long = "x".repeat(300);
     let (status, stdout, stderr) = program(folder.path(), &format!("render -o {long}.png"), "");
-    let sentence = format!("lightfall: {long}.png: cannot be written: File name too long");
+    let sentence = format!("lightfall: {long}.png: cannot be written: file name too long");
     assert!(
         status == 1 && stdout.is_empty() && stderr.starts_with(&sentence),
         "{stderr}"

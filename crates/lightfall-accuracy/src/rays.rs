@@ -11,6 +11,7 @@ use glam::DVec3;
 use serde::Serialize;
 use thiserror::Error;
 
+use lightfall_model::reason::reason;
 use lightfall_optics::trace::{Hit, Outcome, Trace};
 
 /// The columns of a ray.
@@ -54,7 +55,7 @@ enum Fault {
     Zero,
     #[error(" is longer than {MAX_LINE_BYTES} bytes; a ray is a line er,etheta,ephi")]
     TooLong,
-    #[error(" cannot be read: {0}")]
+    #[error(" cannot be read: {}", reason(.0))]
     Read(io::Error),
 }
 

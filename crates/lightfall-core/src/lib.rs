@@ -16,5 +16,5 @@
 
 pub use lightfall_accuracy as accuracy;
 pub use lightfall_gpu as gpu;
-pub use lightfall_model::{geometry, numbers, random, scene, text, words};
+pub use lightfall_model::{geometry, numbers, random, reason, scene, text, words};
 pub use lightfall_optics as optics;

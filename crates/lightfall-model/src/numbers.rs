@@ -14,6 +14,13 @@ pub fn short_number(number: f64) -> String {
     }
 }
 
+/// A number that was written with a decimal comma, with a point: `2,5` is `2.5`. `None` for other
+/// texts.
+pub fn with_decimal_point(text: &str) -> Option<String> {
+    let pointed = text.replacen(',', ".", 1);
+    (pointed != text && pointed.parse::<f64>().is_ok()).then_some(pointed)
+}
+
 /// A number of things, e.g. `1 ray` or `2 rays`.
 pub fn counted(number: usize, thing: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };

@@ -1,5 +1,6 @@
 //! Sequences: journeys, or a disk that moves, as numbered pictures.
 
+use lightfall_core::numbers::with_decimal_point;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
@@ -7,6 +8,9 @@ use std::str::FromStr;
 
 /// Maximum number of frames of one run: an hour and a half at 24 frames per second.
 const MAX_FRAMES: u32 = 130_000;
+
+/// Maximum number of a frame: nine digits.
+const MAX_NUMBER: u32 = 999_999_999;
 
 /// Minimum and maximum of the frames per second.
 const FRAME_RATES: [f64; 2] = [0.01, 1000.0];
@@ -29,12 +33,15 @@ impl FromStr for Frames {
     /// Reads `A..B`.
     fn from_str(text: &str) -> Result<Self, String> {
         let number = |text: &str| {
-            text.parse::<u32>()
-                .ok()
-                .filter(|number| *number <= 999_999_999)
+            let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            // More digits than the type holds are more than enough, too.
+            is_number.then(|| text.parse::<u32>().unwrap_or(u32::MAX))
         };
         let (first, last) = text.split_once("..").unwrap_or_default();
         match (number(first), number(last)) {
+            (Some(_), Some(last)) if last > MAX_NUMBER => {
+                Err(format!("the number of a frame is at most {MAX_NUMBER}"))
+            }
             (Some(first), Some(last)) if first <= last && last - first < MAX_FRAMES => {
                 Ok(Self { first, last })
             }
@@ -60,9 +67,13 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
         .parse()
         .ok()
         .filter(|rate: &f64| (least..=most).contains(rate));
-    rate.ok_or(format!(
-        "it must be a number from {least} to {most}, in frames per second"
-    ))
+    rate.ok_or_else(|| {
+        let allowed = format!("it must be a number from {least} to {most}, in frames per second");
+        match with_decimal_point(text) {
+            Some(meant) => format!("{allowed}; did you mean {meant}?"),
+            None => allowed,
+        }
+    })
 }
 
 /// A journey, or a scene whose disk moves, as numbered pictures.

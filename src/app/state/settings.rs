@@ -6,6 +6,7 @@ use crate::app::controls::key_labels::KeyLabels;
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::optics::readout::units::Units;
+use lightfall_core::reason::reason;
 use lightfall_platform::storage::{self, TextError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
@@ -244,7 +245,7 @@ impl Settings {
             format!(
                 "{}: the settings cannot be written: {}",
                 file.display(),
-                error.source
+                reason(&error.source)
             )
         })
     }

@@ -185,10 +185,11 @@ pub enum PresetsCommand {
         #[arg(long)]
         needs: bool,
     },
-    /// Check a preset file
+    /// Check a preset
     Check {
-        /// TOML file, or a picture that Lightfall drew
-        file: PathBuf,
+        /// Number or name of a preset, a TOML file, or a picture that Lightfall drew
+        #[arg(value_name = "N|NAME|PATH")]
+        preset: OsString,
     },
 }
 

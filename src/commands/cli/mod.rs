@@ -87,6 +87,21 @@ pub enum Command {
     Presets(PresetsCommand),
 }
 
+impl Command {
+    /// The word of the command line that calls it.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Fly(_) | Self::ListGpus => "",
+            Self::Render(_) => "render",
+            Self::Trace(_) => "trace",
+            Self::Bench(_) => "bench",
+            Self::Extremes(_) => "extremes",
+            Self::Doctor(_) => "doctor",
+            Self::Presets(_) => "presets",
+        }
+    }
+}
+
 /// Reads the command line. Scene options may precede the command's name or follow it.
 ///
 /// # Errors
@@ -116,7 +131,15 @@ pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
 
 /// The command with the options that precede it.
 fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::Error> {
-    let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
+    let name = command.name();
+    let conflict = |message: &str| {
+        let mut cli = Cli::command();
+        cli.build();
+        let named = cli.find_subcommand_mut(name);
+        named
+            .expect("every command has its name")
+            .error(ErrorKind::ArgumentConflict, message)
+    };
     if before.shaders.is_some() {
         return Err(conflict("--shaders is for flying, without a command"));
     }
@@ -131,6 +154,11 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
         if render.frames.is_some() {
             render.journey = journey.take();
         }
+    }
+    if journey.is_some() && matches!(command, Command::Render(_)) {
+        return Err(conflict(
+            "--journey needs --frames A..B, the numbers of the pictures to draw",
+        ));
     }
     if journey.is_some() {
         return Err(conflict(

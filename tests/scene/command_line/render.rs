@@ -54,18 +54,18 @@ fn render_reads_channels_timings_and_frames() {
     let frames = render.frames.unwrap();
     assert_eq!((frames.first, frames.last, render.fps), (10, 20, 23.976));
     assert_eq!(render.journey.as_deref(), Some(Path::new("j.toml")));
-    for frames in [
-        "3..2",
-        "5",
-        "..",
-        "-1..2",
-        "0..x",
-        "0...9",
-        "1..99999999999",
-        "a..b",
-    ] {
+    for frames in ["3..2", "5", "..", "-1..2", "0..x", "0...9", "+1..2", "a..b"] {
         let error = refuse(&format!("lightfall render -o a.png --frames={frames}")).to_string();
         assert!(error.contains("frames are A..B"), "{error}");
+    }
+    for frames in ["999999999..1000000000", "1..99999999999", "1000000000..5"] {
+        let error = refuse(&format!("lightfall render -o a.png --frames={frames}")).to_string();
+        let sentence = "the number of a frame is at most 999999999";
+        assert_eq!(
+            error.contains(sentence),
+            !frames.ends_with("..5"),
+            "{error}"
+        );
     }
     assert!(
         refuse("lightfall render -o a.png --frames 0..999999999")
@@ -79,6 +79,8 @@ fn render_reads_channels_timings_and_frames() {
         .to_string();
         assert!(error.contains("from 0.01 to 1000"), "{error}");
     }
+    let comma = refuse("lightfall render -o a.png --frames 0..1 --fps 23,976").to_string();
+    assert!(comma.contains("did you mean 23.976?"), "{comma}");
     assert_eq!(
         refuse("lightfall render -o a.png --fps 25").kind(),
         ErrorKind::MissingRequiredArgument

@@ -24,6 +24,10 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
             "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
+            "title = \"a\"\n[camera]\nr = 3".into(),
+            "j.toml: camera belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+        ),
+        (
             "keyframe = 3".into(),
             "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),

@@ -163,6 +163,23 @@ fn the_value_that_was_set_last_is_blamed() {
         sentence(&["disk.outer=2"]),
         "--set: disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
     );
+    // The edge that follows the innermost stable orbit does not need disk.inner, which is 3.
+    let near = ["hole.spin=0.9", "disk.follow_isco=true", "disk.outer=2"];
+    assert_eq!(with("", &near).unwrap().disk.outer, 2.0);
+    assert_eq!(
+        with("disk.follow_isco = true", &["disk.outer=0.5"])
+            .unwrap_err()
+            .to_string(),
+        "--set: disk.outer = 0.5 is refused: it must be a number above 3 and at most 1000000 r_s (the innermost stable \
+         circular orbit at hole.spin = 0)"
+    );
+    assert_eq!(
+        with("", &[&near[..], &["disk.follow_isco=false"]].concat())
+            .unwrap_err()
+            .to_string(),
+        "--set: disk.follow_isco = false is refused together with disk.inner = 3, which must then be a number above 0 and \
+         below 2 r_s (disk.outer is 2)"
+    );
     let tilted = with("disk.tilt_deg = 30", &["hole.spin=0.9"]).unwrap_err();
     assert_eq!(
         tilted.to_string(),

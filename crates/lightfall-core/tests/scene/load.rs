@@ -265,6 +265,41 @@ fn a_syntax_error_is_reported_with_its_line_and_column() {
 }
 
 #[test]
+fn a_decimal_comma_leads_to_the_number_that_was_meant() {
+    for (assignment, meant) in [
+        ("camera.r=2,5", "2.5"),
+        ("hole.spin=-0,5", "-0.5"),
+        ("camera.yaw_deg=,5", ".5"),
+    ] {
+        let error = set(assignment);
+        let hint = format!("; did you mean {meant}?");
+        assert!(error.ends_with(&hint), "{error}");
+    }
+    for assignment in ["camera.r=2,5,1", "camera.r=a,b", "method=2,5", "title=2,5"] {
+        let answer = with("", &[assignment]);
+        let is_plain = answer
+            .as_ref()
+            .err()
+            .is_none_or(|error| !error.contains("mean 2"));
+        assert!(is_plain, "{answer:?}");
+    }
+    let error = preset("[camera]\nr = 2,5");
+    assert!(error.contains(" (did you mean 2.5?); "), "{error}");
+}
+
+#[test]
+fn a_preset_of_empty_tables_is_refused() {
+    assert_eq!(
+        preset("[camera]\n[disk]"),
+        "my.toml: no field has a value; a field is a line such as camera.r = 20"
+    );
+    assert_eq!(
+        preset("[[keyframe]]\ntime = 0"),
+        "my.toml: there is no field keyframe; this is a journey, which --journey flies"
+    );
+}
+
+#[test]
 fn an_override_needs_a_key_and_an_equals_sign() {
     assert_eq!(
         set("camera.r"),

@@ -1,5 +1,6 @@
 //! The files that shaders are linked from, with their headers.
 
+use lightfall_model::reason::reason;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
@@ -144,7 +145,10 @@ fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
 
 fn add_files(folder: &Path, prefix: &str, files: &mut Vec<ShaderFile>) -> io::Result<()> {
     let named = |path: &Path, error: io::Error| {
-        io::Error::new(error.kind(), format!("{}: {error}", path.display()))
+        io::Error::new(
+            error.kind(),
+            format!("{}: {}", path.display(), reason(&error)),
+        )
     };
     for entry in fs::read_dir(folder).map_err(|error| named(folder, error))? {
         let path = entry.map_err(|error| named(folder, error))?.path();

@@ -1,5 +1,8 @@
 //! What can be wrong with a scene, each in one sentence.
 
+use super::fields::field;
+use super::range::Kind;
+use crate::numbers::with_decimal_point;
 use std::fmt;
 use thiserror::Error;
 
@@ -53,7 +56,19 @@ impl fmt::Display for Refusal {
                 write!(f, " ({reason})")
             }
             _ => Ok(()),
+        }?;
+        match self.meant() {
+            Some(meant) => write!(f, "; did you mean {meant}?"),
+            None => Ok(()),
         }
+    }
+}
+
+impl Refusal {
+    /// The number that was probably meant by a text.
+    fn meant(&self) -> Option<String> {
+        let is_number = field(self.key).is_some_and(|field| matches!(field.kind, Kind::Float(_)));
+        with_decimal_point(self.given.trim_matches('"')).filter(|_| is_number)
     }
 }
 
@@ -92,6 +107,9 @@ pub enum SceneFault {
         "schema = {given} is another version of the preset format; this program reads schema 1"
     )]
     Schema { given: String },
+    /// A preset whose tables are all empty.
+    #[error("no field has a value; a field is a line such as camera.r = 20")]
+    NoField,
     /// No field has this name.
     #[error("there is no field {key}; {hint}")]
     UnknownKey { key: String, hint: String },

@@ -5,6 +5,7 @@ use super::error::{Refusal, SceneFault};
 use super::field::Field;
 use super::range::{Kind, number};
 use super::value::{Value, quoted};
+use crate::numbers::with_decimal_point;
 use toml::Table;
 
 impl Field {
@@ -96,10 +97,17 @@ fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
     let at = error.span().map_or(0, |span| span.start.min(text.len()));
     let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let message = one_line(error.message());
+    let line = text[line_start..].lines().next().unwrap_or_default();
+    let value = line.split_once('=').map(|(_, value)| value.trim());
+    let meant = value.and_then(with_decimal_point);
     SceneFault::Syntax {
         line: 1 + before.matches('\n').count(),
         column: 1 + before[line_start..].chars().count(),
-        message: one_line(error.message()),
+        message: match meant {
+            Some(meant) => format!("{message} (did you mean {meant}?)"),
+            None => message,
+        },
     }
 }
 

@@ -1,7 +1,12 @@
 //! Which fields of a scene change nothing at present, why, and what would make them count.
 
+use super::fields::field;
 use super::idle_rules::{RULES, Rule};
+use super::tables::TURN;
 use super::{Scene, SkyMode};
+
+/// The number of waves in a ring of the disk's structure is a multiple of this.
+const WAVE_GROUPS: u32 = 4;
 
 /// What a scene is drawn to. Some fields matter to one of these and not to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +58,22 @@ impl Scene {
         let disk = self.disk.enabled && self.disk.brightness > 0.0;
         let sky = self.sky.mode != SkyMode::Off && self.sky.brightness > 0.0;
         disk || sky || self.probe.enabled
+    }
+}
+
+impl Scene {
+    /// Why a field means the same in `other`, though its value differs. `None` if it may not.
+    #[must_use]
+    pub fn same_value(&self, other: &Self, key: &str) -> Option<&'static str> {
+        let field = field(key)?;
+        let difference = field.get(other).number()? - field.get(self).number()?;
+        let is_turn = field.kind.range() == TURN;
+        if is_turn && difference != 0.0 && difference % 360.0 == 0.0 {
+            return Some("the scene has the same angle without it, but for whole turns");
+        }
+        let groups = |scene: &Self| scene.disk.waves / WAVE_GROUPS;
+        (key == "disk.waves" && difference != 0.0 && groups(self) == groups(other))
+            .then_some("the number of waves is rounded down to a multiple of four")
     }
 }
 

@@ -54,10 +54,12 @@ impl Scene {
                 let (low, because) = self.min_camera_radius();
                 (Range { low, ..range }, Some(because))
             }
-            "disk.inner" if EDGE.contains(self.disk.outer) => {
+            // The edge follows the innermost stable orbit otherwise, whatever disk.inner says.
+            "disk.inner" if !self.disk.follow_isco && EDGE.contains(self.disk.outer) => {
                 let high = Excluded(self.disk.outer);
                 let reason = format!("disk.outer is {}", number(self.disk.outer));
-                (Range { high, ..range }, because(&["disk.outer"], reason))
+                let keys = ["disk.outer", "disk.follow_isco"];
+                (Range { high, ..range }, because(&keys, reason))
             }
             "disk.outer" if self.disk.enabled => {
                 let low = Excluded(self.kerr().isco());

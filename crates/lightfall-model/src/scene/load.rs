@@ -69,6 +69,7 @@ struct Given<'a> {
 pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
     let table = table(text).map_err(|fault| SceneError::new(origin, fault))?;
     let mut fields = BTreeMap::new();
+    let is_empty = !table.is_empty() && table.values().all(is_empty_table);
     // The first error is reported once all other fields are known: its range depends on them.
     let mut errors = Vec::new();
     for (key, value) in table {
@@ -80,6 +81,9 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
             }
             value => errors.extend(insert(&mut fields, (origin, 0), &[&key], value).err()),
         }
+    }
+    if is_empty && errors.is_empty() {
+        return Err(SceneError::new(origin, SceneFault::NoField));
     }
     for (index, Override { option, key, value }) in overrides.iter().enumerate() {
         let value = field(key).map_or_else(
@@ -110,6 +114,11 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
         .check()
         .map_err(|refusal| refused(&fields, origin, refusal))?;
     Ok(scene)
+}
+
+/// Whether a value is a table without contents, such as a lone `[camera]`.
+fn is_empty_table(value: &toml::Value) -> bool {
+    value.as_table().is_some_and(toml::Table::is_empty)
 }
 
 /// A refusal of a value that is no number names the same range as that of a number out of range.

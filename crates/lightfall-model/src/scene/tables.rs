@@ -23,7 +23,7 @@ pub(super) const POLAR: Range = Range::closed(0.0, 180.0);
 /// From the south pole of the sky to the north pole.
 const LATITUDE: Range = Range::closed(-90.0, 90.0);
 /// A turn either way.
-const TURN: Range = Range::closed(-360.0, 360.0);
+pub(super) const TURN: Range = Range::closed(-360.0, 360.0);
 /// A share of a whole.
 const SHARE: Range = Range::closed(0.0, 1.0);
 /// An artistic scale of light.

@@ -69,6 +69,12 @@ pub enum SourceError {
         /// The file.
         path: PathBuf,
     },
+    /// The file of a journey is a picture.
+    #[error("{}: is a picture, and a journey is a TOML text of keyframes", path.display())]
+    PictureAsJourney {
+        /// The file.
+        path: PathBuf,
+    },
 }
 
 /// The scene of a built-in preset, by number or name; of one of the user's own presets, by name; or
@@ -128,7 +134,11 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
     let Some(path) = file else {
         return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
     };
-    let text = text_of_source(path, contents(path)?)?;
+    let bytes = contents(path)?;
+    if is_picture(&bytes) {
+        return Err(SourceError::PictureAsJourney { path: path.into() });
+    }
+    let text = text_of_source(path, bytes)?;
     let journey = journey::load(&path.display().to_string(), &text)?;
     let checked = journey.check(scene, 0.0, Drawable::new);
     checked
@@ -184,8 +194,13 @@ fn text_of_source(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
     if is_picture(&bytes) {
         return embedded_preset(&bytes).ok_or(SourceError::NoPreset { path: path.into() });
     }
-    text_of(bytes, MAX_PRESET_BYTES)
-        .map_err(|fault| no_text(path, fault, "; presets and journeys are short TOML texts"))
+    let no_text = |fault| no_text(path, fault, "; presets and journeys are short TOML texts");
+    let text = text_of(bytes, MAX_PRESET_BYTES).map_err(no_text)?;
+    let says_nothing = |line: &str| line.trim().is_empty() || line.trim().starts_with('#');
+    if text.lines().all(says_nothing) {
+        return Err(no_text(TextError::Empty));
+    }
+    Ok(text)
 }
 
 fn no_text(path: &Path, fault: TextError, remark: &'static str) -> SourceError {

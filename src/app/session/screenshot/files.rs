@@ -11,7 +11,7 @@ use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, PictureError, Still, Studio};
-use lightfall_platform::storage::{PictureRecord, file_safe_name, pictures_folder};
+use lightfall_platform::storage::{PictureRecord, WriteError, file_safe_name, pictures_folder};
 use lightfall_platform::worker::Worker;
 use lightfall_render::StarCatalogue;
 use std::fs::File;
@@ -145,7 +145,7 @@ fn reserve_file(folder: &Path, scene: &str) -> Result<PathBuf, String> {
         match File::create_new(&file) {
             Ok(_) => return Ok(file),
             Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(format!("{}: cannot be written: {error}", file.display())),
+            Err(error) => return Err(WriteError::new(&file, error).to_string()),
         }
     }
     Err(format!(

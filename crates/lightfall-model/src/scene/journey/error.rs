@@ -26,6 +26,11 @@ pub enum Fault {
         "{key} = {given} is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     Top { key: String, given: String },
+    /// A key at the top level that is a field of scenes, or a table of them.
+    #[error(
+        "{key} belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
+    )]
+    FieldOfScenes { key: String },
     /// A preset that is not one of the built-in ones.
     #[error(
         "preset = {given} is refused: it must be the name or the number of a built-in preset: {}",

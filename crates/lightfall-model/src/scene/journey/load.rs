@@ -10,6 +10,7 @@ use super::tracks::{Tracks, component};
 use crate::scene::ObserverKind;
 use crate::scene::fields::field;
 use crate::scene::from_toml::{given, table};
+use crate::scene::hint::is_table;
 use crate::scene::presets::{self, Preset};
 use crate::scene::value::{Value, shortened};
 use toml::Table;
@@ -45,6 +46,7 @@ fn journey(table: Table) -> Result<Journey, Fault> {
             ("caption", toml::Value::Array(values)) if values.iter().all(toml::Value::is_table) => {
                 captions = tables(values);
             }
+            (key, _) if is_table(key) => return Err(Fault::FieldOfScenes { key: key.into() }),
             (_, value) => {
                 return Err(Fault::Top {
                     key: shortened(&key),

@@ -1,6 +1,7 @@
 //! Texts from files of a limited length.
 
 use super::read;
+use lightfall_core::reason::reason;
 use lightfall_core::text::{NotText, decode};
 use std::io;
 use std::path::Path;
@@ -10,11 +11,14 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum TextError {
     /// The file cannot be read, for the system's reason.
-    #[error("cannot be read: {0}")]
+    #[error("cannot be read: {}", reason(.0))]
     Unreadable(#[from] io::Error),
     /// The file is longer than this number of bytes.
     #[error("is longer than {0} bytes")]
     TooLong(u64),
+    /// The file has no text, or nothing but comments.
+    #[error("is empty")]
+    Empty,
     /// The file is not text.
     #[error(transparent)]
     NotText(#[from] NotText),

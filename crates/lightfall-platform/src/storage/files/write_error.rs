@@ -1,12 +1,13 @@
 //! Why a file could not be written.
 
+use lightfall_core::reason::reason;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// A file that could not be written.
 #[derive(Debug, Error)]
-#[error("{path}: cannot be written: {source}")]
+#[error("{path}: cannot be written: {}", reason(source))]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
