@@ -112,8 +112,20 @@ fn values_of_presets_journeys_and_traces_that_change_nothing_are_named() {
 #[ignore = "needs a graphics adapter"]
 fn a_dark_scene_is_named_before_it_is_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    let line = "render --size 32x18 -o a.png --set disk.enabled=false --set sky.mode=off";
-    let (status, _, stderr) = program(folder.path(), line, "");
-    assert_eq!(status, 0);
-    assert!(stderr.contains("nothing shines in this scene"), "{stderr}");
+    for (dark, remedy) in [
+        (
+            "--set disk.enabled=false --set sky.mode=off",
+            "--set disk.enabled=true or --set sky.mode=stars",
+        ),
+        (
+            "--set disk.brightness=0 --set sky.brightness=0",
+            "--set disk.brightness=1 or --set sky.brightness=1",
+        ),
+    ] {
+        let line = format!("render --size 32x18 -o a.png {dark}");
+        let (status, _, stderr) = program(folder.path(), &line, "");
+        assert_eq!(status, 0);
+        let sentence = format!("nothing shines in this scene; {remedy} brings light");
+        assert!(stderr.contains(&sentence), "{stderr}");
+    }
 }

@@ -1,6 +1,8 @@
 //! Whether a window can be opened here, found out before the window system is started.
 
 #[cfg(target_os = "linux")]
+use lightfall_core::reason::reason;
+#[cfg(target_os = "linux")]
 use std::{
     ffi::OsString, io::ErrorKind, os::unix::net::UnixStream, path::Path, sync::LazyLock,
     time::Duration,
@@ -27,8 +29,12 @@ pub fn display() -> Result<String, String> {
         (Some(name), _) => match x_connection() {
             Ok(_) => Ok(format!("X11, {}", name.to_string_lossy())),
             Err(error) => Err(format!(
-                "the X server {} does not answer: {error}",
-                name.to_string_lossy()
+                "the X server {} does not answer: {}",
+                name.to_string_lossy(),
+                match error {
+                    ConnectError::IoError(error) => reason(error),
+                    other => other.to_string(),
+                }
             )),
         },
     }

@@ -4,7 +4,7 @@ use super::pictures::Pictures;
 use super::with_size;
 use crate::commands::cli::RenderArgs;
 use crate::commands::unused::{Suspect, note_idle_preset, note_unused};
-use lightfall_core::scene::{Output, Picture, Scene, fit};
+use lightfall_core::scene::{Output, Picture, Scene, SkyMode, fit};
 use lightfall_picture::Format;
 use lightfall_platform::log::say;
 
@@ -33,13 +33,25 @@ pub(super) fn note_cells(picture: &Picture) {
     }
 }
 
-/// Says that nothing in the scene emits light.
+/// Says that nothing in the scene emits light, and what would bring some.
 pub(super) fn note_darkness(scene: &Scene) {
     if scene.view.shows_light() && !scene.shines() {
-        say(
-            "lightfall: nothing shines in this scene; --set disk.enabled=true or --set sky.mode=stars \
-             brings light",
-        );
+        let (disk, sky) = (&scene.disk, &scene.sky);
+        let options = |needed: [(bool, &'static str); 2]| {
+            let needed = needed.into_iter().filter(|(needed, _)| *needed);
+            needed.map(|(_, set)| set).collect::<Vec<_>>().join(" ")
+        };
+        let disk = options([
+            (!disk.enabled, "--set disk.enabled=true"),
+            (disk.brightness == 0.0, "--set disk.brightness=1"),
+        ]);
+        let sky = options([
+            (sky.mode == SkyMode::Off, "--set sky.mode=stars"),
+            (sky.brightness == 0.0, "--set sky.brightness=1"),
+        ]);
+        say(format_args!(
+            "lightfall: nothing shines in this scene; {disk} or {sky} brings light"
+        ));
     }
 }
 
