@@ -16,6 +16,7 @@ mod linear;
     reason = "pictures need the scene of the twin, and not the directions of its rays"
 )]
 mod moved_camera;
+mod night;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;
 #[path = "../../crates/lightfall-core/tests/gpu/random_scene.rs"]

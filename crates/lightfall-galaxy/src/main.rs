@@ -4,6 +4,7 @@
 
 use lightfall_optics::cube_map::FACES;
 use lightfall_optics::milky_way::MilkyWay;
+use lightfall_optics::milky_way::asset::NUMBERS;
 use rayon::prelude::*;
 use std::error::Error;
 
@@ -11,7 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args_os()
         .nth(1)
         .ok_or("name the file to write, such as assets/sky/milky_way.png")?;
-    let texels: Vec<[u8; 2]> = (0..FACES * MilkyWay::SIZE * MilkyWay::SIZE)
+    let texels: Vec<[u8; NUMBERS]> = (0..FACES * MilkyWay::SIZE * MilkyWay::SIZE)
         .into_par_iter()
         .map(lightfall_galaxy::texel)
         .collect();

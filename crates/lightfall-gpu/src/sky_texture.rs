@@ -30,7 +30,7 @@ impl SkyTexture {
             mip_level_count: if shown { MilkyWay::LEVELS as u32 } else { 1 },
             sample_count: 1,
             dimension: TextureDimension::D2,
-            format: TextureFormat::Rg16Float,
+            format: TextureFormat::Rgba16Float,
             usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
             view_formats: &[],
         }
@@ -59,9 +59,9 @@ impl SkyTexture {
     /// The texture's bytes, as its descriptor for the same `shown` asks for them.
     pub fn bytes(shown: bool) -> Vec<u8> {
         if !shown {
-            return vec![0; 6 * 4];
+            return vec![0; 6 * 8];
         }
-        let texels = MilkyWay::built_in().half_floats();
+        let texels = MilkyWay::photograph().half_floats();
         texels
             .into_iter()
             .flatten()

@@ -4,9 +4,9 @@ use super::shader::text::add_constant;
 use super::sky_texture::TEXEL;
 use super::stars::{light_unit, sums_side};
 use encase::ShaderType;
-use glam::{DVec2, Mat3, Vec2};
+use glam::{DVec2, Mat3, Vec2, Vec4};
 use lightfall_model::scene::Scene;
-use lightfall_optics::milky_way::MilkyWay;
+use lightfall_optics::milky_way::{MilkyWay, nebular};
 use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
 
 /// Mirror of `Starlight` in shaders/sky/stars.wgsl.
@@ -17,6 +17,7 @@ pub struct GpuStarlight {
     pub magnitude_limit: f32,
     pub last_magnitude: f32,
     pub temperatures: Vec2,
+    pub nebular: [Vec4; nebular::TABLE_LEN],
     pub texel: f32,
     pub light_unit: f32,
     pub squares_per_pixel: f32,
@@ -36,6 +37,7 @@ impl GpuStarlight {
             magnitude_limit: depth.limit as f32,
             last_magnitude: depth.last as f32,
             temperatures: DVec2::from(MilkyWay::temperatures()).as_vec2(),
+            nebular: nebular::table().map(|colour| colour.extend(0.0).as_vec4()),
             texel: TEXEL as f32,
             light_unit: light_unit(scene) as f32,
             squares_per_pixel: 1.0 / side as f32,
@@ -49,4 +51,19 @@ pub(super) fn add_constants(prelude: &mut String) {
     let [a, b, c, d] = FAINTER_SHARE;
     let cubic = format!("vec4<f32>({a:?}, {b:?}, {c:?}, {d:?})");
     add_constant(prelude, "FAINTER_SHARE", "vec4<f32>", cubic);
+    let shift = |g: f64| format!("{g:?}");
+    add_constant(
+        prelude,
+        "NEBULAR_MIN_SHIFT",
+        "f32",
+        shift(nebular::MIN_SHIFT),
+    );
+    add_constant(
+        prelude,
+        "NEBULAR_MAX_SHIFT",
+        "f32",
+        shift(nebular::MAX_SHIFT),
+    );
+    let length = format!("{}u", nebular::TABLE_LEN);
+    add_constant(prelude, "NEBULAR_LEN", "u32", length);
 }

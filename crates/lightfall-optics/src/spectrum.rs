@@ -85,6 +85,20 @@ pub fn black_body_xyz(temperature: f64) -> DVec3 {
         .sum()
 }
 
+/// CIE XYZ of light of one wavelength (nm) and of unit flux, linear between the samples and zero
+/// outside them; in arbitrary units.
+pub fn line_xyz(wavelength_nm: f64) -> DVec3 {
+    let (first, step) = (MATCHING[0].0, MATCHING[1].0 - MATCHING[0].0);
+    let place = (wavelength_nm - first) / step;
+    if !(0.0..=(WAVELENGTHS - 1) as f64).contains(&place) {
+        return DVec3::ZERO;
+    }
+    let low = (place as usize).min(WAVELENGTHS - 2);
+    MATCHING[low]
+        .1
+        .lerp(MATCHING[low + 1].1, place - low as f64)
+}
+
 /// The matrix from XYZ to linear sRGB, with Rec. 709's primaries and white D65 at Y = 1. Derived
 /// from the chromaticities in ITU-R BT.709-6 table 1 items 1.3 and 1.4.
 pub fn rgb_from_xyz() -> DMat3 {

@@ -31,8 +31,8 @@ pub(crate) const LIGHT: &str = "
 /// How the sky mode `stars` reads the map of the Milky Way, which a [`ArrayKernel`] cannot bind; and what
 /// takes its place: a light that is finite where the place and the level are. Pictures of the
 /// program have the map itself.
-pub(crate) const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rg";
-const INSTEAD_OF_MAP: &str = "(abs(place.xy) / (1.0 + level))";
+pub(crate) const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rgb";
+const INSTEAD_OF_MAP: &str = "(abs(place) / (1.0 + level))";
 
 /// The pixels of a picture, four by four those of 2 x 2 squares.
 fn pixels() -> impl Iterator<Item = UVec2> {

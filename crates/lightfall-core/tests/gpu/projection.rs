@@ -152,7 +152,7 @@ fn the_diffuse_light_of_an_even_sky_is_even_in_another_projection() {
     let light = |files: &ShaderFiles| -> Vec<Vec4> {
         let source = variant.text().linked_from(files).source() + LIGHT;
         assert_eq!(source.matches(MAP).count(), 1);
-        let source = source.replace(MAP, "vec2<f32>(1.0)");
+        let source = source.replace(MAP, "vec3<f32>(1.0)");
         let kernel = ArrayKernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
         kernel.run(gpu(), &given).unwrap()
     };

@@ -8,7 +8,7 @@ use crate::starlight::{fainter_share, total_light};
 use glam::DVec3;
 use half::f16;
 use lightfall_core::optics::cube_map::{FACES, face_column_row, place, solid_angle};
-use lightfall_core::optics::milky_way::MilkyWay;
+use lightfall_core::optics::milky_way::{MilkyWay, nebular};
 use lightfall_core::optics::stars::{
     Catalogue, StarList, ZERO_MAGNITUDE_FLUX, celestial_direction, flux, galactic_from_celestial,
 };
@@ -20,9 +20,9 @@ fn magnitude(brightness: f64) -> f64 {
     -2.5 * (brightness / 3600_f64.to_degrees().powi(2)).log10()
 }
 
-/// The two radiances from a J2000 direction, linear between the four texels around it on its
+/// The radiances from a J2000 direction, linear between the four texels around it on its
 /// face.
-fn radiance(sky: &MilkyWay, direction: DVec3) -> [f64; 2] {
+fn radiance(sky: &MilkyWay, direction: DVec3) -> [f64; 3] {
     let (face, u, v) = face_and_place(direction);
     let size = MilkyWay::SIZE as f64;
     let split = |place: f64| {
@@ -31,7 +31,7 @@ fn radiance(sky: &MilkyWay, direction: DVec3) -> [f64; 2] {
         (low, place - low as f64)
     };
     let ((column, right), (row, down)) = (split(u), split(v));
-    let texel = |column: usize, row: usize| -> [f64; 2] {
+    let texel = |column: usize, row: usize| -> [f64; 3] {
         sky.texels(0)[(face * MilkyWay::SIZE + row) * MilkyWay::SIZE + column].map(f64::from)
     };
     std::array::from_fn(|i| {
@@ -40,8 +40,8 @@ fn radiance(sky: &MilkyWay, direction: DVec3) -> [f64; 2] {
     })
 }
 
-/// The brightness in V of two radiances, in stars of V = 0 per steradian.
-fn brightness_of(radiance: [f64; 2]) -> f64 {
+/// The brightness in V of the stars of a texel, in stars of V = 0 per steradian.
+fn brightness_of(radiance: [f64; 3]) -> f64 {
     let [blue, red] = MilkyWay::temperatures().map(|temperature| flux(0.0, temperature));
     radiance[0] / blue + radiance[1] / red
 }
@@ -51,7 +51,7 @@ fn brightness_of(radiance: [f64; 2]) -> f64 {
 fn brightness(longitude: f64, latitude: f64) -> f64 {
     let galactic = celestial_direction(longitude, latitude);
     let direction = galactic_from_celestial().transpose() * galactic;
-    brightness_of(radiance(MilkyWay::built_in(), direction))
+    brightness_of(radiance(MilkyWay::model(), direction))
 }
 
 /// Mean brightness over a box of longitudes and latitudes in degrees, every degree.
@@ -75,7 +75,7 @@ fn the_sky_is_as_bright_as_the_milky_way() {
     // fitted to the mean of the whole sky: 0.3 magnitudes.
     let brightest = {
         let level = MilkyWay::SIZE.ilog2() - 5;
-        let texels = MilkyWay::built_in().texels(level as usize);
+        let texels = MilkyWay::model().texels(level as usize);
         let lights = texels.iter().map(|light| light.map(f64::from));
         lights.map(brightness_of).fold(0.0, f64::max)
     };
@@ -119,7 +119,7 @@ fn things_are_at_their_places() {
         ("Small Magellanic Cloud", 13.2, -72.8, 0.7, 2.0, 7.0),
         ("Andromeda Galaxy", 10.7, 41.3, 0.3, 2.0, 9.0),
     ] {
-        let sky = MilkyWay::built_in();
+        let sky = MilkyWay::model();
         let middle = celestial_direction(ra, dec);
         let around = |angle: f64| -> f64 {
             let side = middle.any_orthonormal_vector();
@@ -164,8 +164,61 @@ fn the_centre_is_redder_than_the_rest_of_the_plane() {
 }
 
 #[test]
+fn a_photograph_has_a_black_night_and_more_colour() {
+    let ends = |sky: &MilkyWay| {
+        let mut lights: Vec<f64> = sky
+            .texels(2)
+            .iter()
+            .map(|light| brightness_of(light.map(f64::from)))
+            .collect();
+        lights.sort_unstable_by(f64::total_cmp);
+        [lights[lights.len() / 10], lights[lights.len() * 99 / 100]]
+    };
+    let [model, photograph] = [MilkyWay::model(), MilkyWay::photograph()].map(ends);
+    println!("darkest tenth and brightest hundredth: {model:.1?}, {photograph:.1?}");
+    // Photographs lose the sky's background and keep what is bright.
+    assert!(photograph[1] / photograph[0] > 5.0 * model[1] / model[0]);
+    assert!(photograph[1] > 0.6 * model[1] && photograph[1] < model[1]);
+    let blue_over_red = |sky: &MilkyWay, longitude: f64, latitude: f64| {
+        let galactic = celestial_direction(longitude, latitude);
+        let light = radiance(sky, galactic_from_celestial().transpose() * galactic);
+        light[0] / light[1]
+    };
+    let difference =
+        |sky: &MilkyWay| blue_over_red(sky, 180.0, 0.0) / blue_over_red(sky, 0.0, -4.0);
+    assert!(difference(MilkyWay::photograph()) > 1.5 * difference(MilkyWay::model()));
+}
+
+#[test]
+fn nebulae_are_pink_and_change_colour_with_the_shift() {
+    let at = |g: f64| nebular::colour(g);
+    let home = at(1.0);
+    assert!(home.x > home.z && home.z > home.y, "{home}");
+    assert_close(
+        "luminance",
+        home.dot(DVec3::new(0.2126, 0.7152, 0.0722)),
+        1.0,
+        1e-12,
+    );
+    // A blueshift makes H-alpha green at 546 nm. Where it has left the visible range, H-beta is yellow
+    // at 570 nm. At the table's ends no line is visible.
+    let green = at(656.3 / 546.0);
+    assert!(
+        green.y > 2.0 * green.x && green.y > 2.0 * green.z,
+        "{green}"
+    );
+    let yellow = at(486.1 / 570.0);
+    assert!(
+        yellow.y > 0.4 * yellow.x && yellow.z < 0.1 * yellow.x,
+        "{yellow}"
+    );
+    let table = nebular::table();
+    assert!(table[0].length() < 1e-3 && table[nebular::TABLE_LEN - 1].length() < 1e-2);
+}
+
+#[test]
 fn all_light_is_that_of_all_stars() {
-    let sky = MilkyWay::built_in();
+    let sky = MilkyWay::model();
     for level in 0..MilkyWay::LEVELS {
         let size = MilkyWay::SIZE >> level;
         let total: f64 = sky
@@ -201,10 +254,10 @@ fn the_light_of_a_random_list_and_of_the_rest_is_that_of_all_stars() {
 #[test]
 fn random_texels_of_the_asset_are_what_the_program_computes() {
     let mut random = Random::new();
-    let sky = MilkyWay::built_in();
+    let sky = MilkyWay::model();
     for _ in 0..40 {
         let number = random.integer(0, (FACES * MilkyWay::SIZE * MilkyWay::SIZE) as u32 - 1);
-        let [brightness, share] = lightfall_galaxy::texel(number as usize).map(f64::from);
+        let [brightness, share, nebular] = lightfall_galaxy::texel(number as usize).map(f64::from);
         let texel = sky.texels(0)[number as usize].map(f64::from);
         // The steps of the two bytes, and one more for other mathematical libraries.
         let found = (brightness_of(texel) / 6.0).ln() / 0.02;
@@ -212,10 +265,15 @@ fn random_texels_of_the_asset_are_what_the_program_computes() {
             (found - brightness).abs() < 1.01,
             "texel {number}: {found}, {brightness}"
         );
-        let blue = brightness_of([texel[0], 0.0]) / brightness_of(texel);
+        let blue = brightness_of([texel[0], 0.0, 0.0]) / brightness_of(texel);
         assert!(
             (255.0 * blue - share).abs() < 1.01,
             "texel {number}: {blue}, {share}"
+        );
+        let found = 1.0 + (texel[2] / ZERO_MAGNITUDE_FLUX).ln() / 0.03;
+        assert!(
+            (found.max(0.0) - nebular).abs() < 1.01,
+            "texel {number}: {found}, {nebular}"
         );
     }
 }
@@ -225,7 +283,7 @@ fn twenty_two_magnitudes_are_the_light_of_sixty_seven_stars_per_steradian() {
     assert_close("22 mag", magnitude(67.4), 22.0, 1e-4);
     // A texel's luminance is its brightness times the flux of a star of V = 0.
     let colours = lightfall_core::optics::spectrum::table();
-    let light = radiance(MilkyWay::built_in(), DVec3::Z);
+    let light = radiance(MilkyWay::model(), DVec3::Z);
     let luminance: f64 = light
         .iter()
         .zip(MilkyWay::temperatures())
@@ -241,7 +299,7 @@ fn twenty_two_magnitudes_are_the_light_of_sixty_seven_stars_per_steradian() {
 
 #[test]
 fn half_floats_are_the_texels_face_by_face_and_level_by_level() {
-    let sky = MilkyWay::built_in();
+    let sky = MilkyWay::photograph();
     let halves = sky.half_floats();
     assert_eq!(
         halves.len(),

@@ -1,9 +1,11 @@
 //! The diffuse light as a cube map, which is computed once and kept as an asset.
 
-use super::asset;
+use super::asset::{self, NUMBERS};
+use super::photograph::photographed;
 use crate::cube_map::{FACES, face_column_row, solid_angle};
-use crate::stars::{flux, temperature_from_b_v};
+use crate::stars::{ZERO_MAGNITUDE_FLUX, flux, temperature_from_b_v};
 use half::f16;
+use std::array;
 use std::sync::LazyLock;
 
 /// The finest level. This command makes it:
@@ -12,15 +14,15 @@ const ASSET: &[u8] = include_bytes!("../../../../assets/sky/milky_way.png");
 
 /// The diffuse light of the sky on J2000 axes, as a cube map with all its levels.
 ///
-/// A texel is the light of two temperatures, [`MilkyWay::temperatures`]: their bolometric radiance,
-/// in linear light as [`crate::spectrum`] has it. Seen with the frequency ratio g, a texel
-/// [a, b] is the light a g^4 colour(g T_a) + b g^4 colour(g T_b).
+/// A texel is the light of two temperatures, [`MilkyWay::temperatures`], and of nebulae: radiance in
+/// linear light as [`crate::spectrum`] and [`super::nebular`] have it. Seen with the frequency ratio
+/// g, a texel [a, b, n] is the light g^4 (a colour(g T_a) + b colour(g T_b) + n nebular(g)).
 ///
-/// It is the light of all stars. The share of those that are drawn as points is taken out by
+/// The starlight is that of all stars. The share of those that are drawn as points is taken out by
 /// [`FAINTER_SHARE`](crate::stars::FAINTER_SHARE).
 #[derive(Clone, Debug, PartialEq)]
 pub struct MilkyWay {
-    levels: Vec<Vec<[f32; 2]>>,
+    levels: Vec<Vec<[f32; NUMBERS]>>,
 }
 
 impl MilkyWay {
@@ -33,9 +35,15 @@ impl MilkyWay {
     /// Cells a side of a face, in which faint stars are counted: the texels of a level.
     pub const CELLS: usize = 64;
 
-    /// The Milky Way. It is decoded at the first call.
-    pub fn built_in() -> &'static Self {
-        &MILKY_WAY
+    /// The Milky Way as the model of the galaxy gives it. It is decoded at the first call.
+    pub fn model() -> &'static Self {
+        &MODEL
+    }
+
+    /// The Milky Way as pictures show it: with the contrast and the colours of a photograph. It is
+    /// decoded at the first call.
+    pub fn photograph() -> &'static Self {
+        &PHOTOGRAPH
     }
 
     /// The temperatures of the two lights in kelvin, the bluer one first.
@@ -47,33 +55,31 @@ impl MilkyWay {
     ///
     /// # Panics
     /// There are [`MilkyWay::LEVELS`] levels.
-    pub fn texels(&self, level: usize) -> &[[f32; 2]] {
+    pub fn texels(&self, level: usize) -> &[[f32; NUMBERS]] {
         &self.levels[level]
     }
 
-    /// All texels as pairs of half floats, face by face, and each face level by level: what a
-    /// texture of the format `Rg16Float` takes in the order `LayerMajor`.
-    pub fn half_floats(&self) -> Vec<[u16; 2]> {
+    /// All texels as half floats, the fourth of each zero, face by face, and each face level by
+    /// level: what a texture of the format `Rgba16Float` takes in the order `LayerMajor`.
+    pub fn half_floats(&self) -> Vec<[u16; 4]> {
         let mut halves = Vec::with_capacity(self.levels.iter().map(Vec::len).sum());
         for face in 0..FACES {
             for texels in &self.levels {
                 let of_face = texels.len() / FACES;
-                let pairs = &texels[face * of_face..(face + 1) * of_face];
-                halves.extend(
-                    pairs
-                        .iter()
-                        .map(|pair| pair.map(|x| f16::from_f32(x).to_bits())),
-                );
+                let of_this_face = &texels[face * of_face..(face + 1) * of_face];
+                halves.extend(of_this_face.iter().map(|[blue, red, nebular]| {
+                    [*blue, *red, *nebular, 0.0].map(|x| f16::from_f32(x).to_bits())
+                }));
             }
         }
         halves
     }
 
-    /// For each cell its brightness to `power` times its solid angle.
+    /// For each cell the brightness of its stars to `power` times its solid angle.
     pub(crate) fn cell_light_to_power(&self, power: f64) -> Vec<f64> {
         let level = (Self::SIZE / Self::CELLS).ilog2() as usize;
         let [blue, red] = star_fluxes();
-        let weight = |(cell, light): (usize, &[f32; 2])| {
+        let weight = |(cell, light): (usize, &[f32; NUMBERS])| {
             let (_, column, row) = face_column_row(Self::CELLS, cell);
             let light = f64::from(light[0]) / blue + f64::from(light[1]) / red;
             light.powf(power) * solid_angle(Self::CELLS, column, row)
@@ -81,12 +87,11 @@ impl MilkyWay {
         self.levels[level].iter().enumerate().map(weight).collect()
     }
 
-    /// From the brightness in V of the two lights of each texel, in stars of V = 0 per steradian.
-    fn new(texels: &[[f64; 2]]) -> Self {
+    /// From the brightness of the lights of each texel, in stars of V = 0 per steradian.
+    fn new(texels: impl Iterator<Item = [f64; NUMBERS]>) -> Self {
         let [blue, red] = star_fluxes();
-        let finest = texels
-            .iter()
-            .map(|light| [(light[0] * blue) as f32, (light[1] * red) as f32]);
+        let units = [blue, red, ZERO_MAGNITUDE_FLUX];
+        let finest = texels.map(|light| array::from_fn(|i| (light[i] * units[i]) as f32));
         let mut levels = vec![finest.collect::<Vec<_>>()];
         for level in 1..Self::LEVELS {
             levels.push(halved(&levels[level - 1], Self::SIZE >> (level - 1)));
@@ -101,10 +106,10 @@ fn star_fluxes() -> [f64; 2] {
 }
 
 /// The next coarser level of texels, `size` a side: means of 2x2, weighted with solid angles.
-fn halved(texels: &[[f32; 2]], size: usize) -> Vec<[f32; 2]> {
+fn halved(texels: &[[f32; NUMBERS]], size: usize) -> Vec<[f32; NUMBERS]> {
     let half = size / 2;
     let of_face = half * half;
-    let mut coarser = vec![[0.0; 2]; FACES * of_face];
+    let mut coarser = vec![[0.0; NUMBERS]; FACES * of_face];
     for texel in 0..of_face {
         let (_, column, row) = face_column_row(half, texel);
         let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, down)| {
@@ -113,7 +118,7 @@ fn halved(texels: &[[f32; 2]], size: usize) -> Vec<[f32; 2]> {
         });
         let all: f64 = four.iter().map(|(_, weight)| weight).sum();
         for face in 0..FACES {
-            coarser[face * of_face + texel] = std::array::from_fn(|i| {
+            coarser[face * of_face + texel] = array::from_fn(|i| {
                 let light = |at: usize| f64::from(texels[face * size * size + at][i]);
                 let sum: f64 = four.iter().map(|(at, weight)| weight * light(*at)).sum();
                 (sum / all) as f32
@@ -123,9 +128,13 @@ fn halved(texels: &[[f32; 2]], size: usize) -> Vec<[f32; 2]> {
     coarser
 }
 
-/// See [`MilkyWay::built_in`].
-static MILKY_WAY: LazyLock<MilkyWay> = LazyLock::new(|| {
-    let texels =
-        asset::read(ASSET).expect("assets/sky/milky_way.png is compiled in and a test reads it");
-    MilkyWay::new(&texels)
-});
+/// See [`MilkyWay::model`].
+static MODEL: LazyLock<MilkyWay> = LazyLock::new(|| MilkyWay::new(lights().into_iter()));
+
+/// See [`MilkyWay::photograph`].
+static PHOTOGRAPH: LazyLock<MilkyWay> =
+    LazyLock::new(|| MilkyWay::new(lights().into_iter().map(photographed)));
+
+fn lights() -> Vec<[f64; NUMBERS]> {
+    asset::read(ASSET).expect("assets/sky/milky_way.png is compiled in and a test reads it")
+}

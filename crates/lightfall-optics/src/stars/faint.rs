@@ -31,7 +31,7 @@ const COLOURS_FROM: f64 = 5.0;
 /// first.
 pub(super) fn fainter_stars(catalogue: &Catalogue, seed: u32, faintest: f64) -> Vec<Star> {
     let missing = missing(catalogue, faintest);
-    let sky = MilkyWay::built_in();
+    let sky = MilkyWay::model();
     let bright = Catalogue::built_in();
     let colours: Vec<f32> = bright.stars()[bright.count(COLOURS_FROM)..]
         .iter()

@@ -1,6 +1,8 @@
-//! The foreground probe: a small craft of metal, ceramic and dark coating, lit by the disk and the
+//! The foreground probe: a small craft, lit by the disk and the
 //! stars. It is drawn in ordinary perspective, neither lensed nor hidden by the hole, and the
 //! geodesic pass does not draw over it.
+
+mod craft;
 
 use crate::camera_markers::SceneCamera;
 use crate::chain::Chain;
@@ -10,7 +12,7 @@ use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
 use bevy::render::{Render, RenderApp, RenderSystems};
 use lightfall_core::optics::photometry::DiskRing;
-use std::f32::consts::{FRAC_PI_2, TAU};
+use std::f32::consts::TAU;
 
 /// Marks the craft.
 #[derive(Component)]
@@ -32,7 +34,7 @@ const LAMPS: usize = 6;
 
 /// Ambient light of the stars, in the units of traced light. It is a good deal brighter than the
 /// real stars' light, so that the shape of the dark side is visible.
-const STARLIGHT: f32 = 0.12;
+const STARLIGHT: f32 = 0.05;
 
 /// Range of a lamp, in r_s.
 const LAMP_RANGE: f32 = 1e4;
@@ -92,7 +94,7 @@ fn spawn_or_despawn_probe(
     commands
         .spawn((Probe, Transform::default(), Visibility::default()))
         .with_children(|probe| {
-            for (mesh, material, transform) in craft(&mut materials) {
+            for (mesh, material, transform) in craft::parts(&mut materials) {
                 probe.spawn((
                     Mesh3d(meshes.add(mesh)),
                     MeshMaterial3d(material),
@@ -107,79 +109,6 @@ fn spawn_or_despawn_probe(
             Transform::default(),
         ));
     }
-}
-
-/// The parts of a craft about one unit long: x points away from the hole, y along the long axis.
-fn craft(
-    materials: &mut Assets<StandardMaterial>,
-) -> Vec<(Mesh, Handle<StandardMaterial>, Transform)> {
-    let metal = materials.add(StandardMaterial {
-        base_color: Color::srgb(0.78, 0.77, 0.74),
-        metallic: 1.0,
-        perceptual_roughness: 0.38,
-        ..default()
-    });
-    let ceramic = materials.add(StandardMaterial {
-        base_color: Color::srgb(0.86, 0.84, 0.8),
-        perceptual_roughness: 0.75,
-        double_sided: true,
-        cull_mode: None,
-        ..default()
-    });
-    let coating = materials.add(StandardMaterial {
-        base_color: Color::srgb(0.03, 0.035, 0.06),
-        metallic: 0.3,
-        perceptual_roughness: 0.3,
-        ..default()
-    });
-    let lamp = materials.add(StandardMaterial {
-        base_color: Color::BLACK,
-        emissive: LinearRgba::rgb(3.0, 0.7, 0.25),
-        ..default()
-    });
-    let at = Transform::from_xyz;
-    let mut parts: Vec<(Mesh, _, _)> = vec![
-        (
-            Cylinder::new(0.13, 0.5).mesh().resolution(8).into(),
-            metal.clone(),
-            at(0.0, 0.0, 0.0),
-        ),
-        (
-            frustum(0.07, 0.13, 0.12),
-            ceramic.clone(),
-            at(0.0, 0.31, 0.0),
-        ),
-        (frustum(0.24, 0.05, 0.1), ceramic, at(0.0, 0.45, 0.0)),
-        (
-            Cylinder::new(0.012, 0.2).into(),
-            metal.clone(),
-            at(0.0, 0.55, 0.0),
-        ),
-        (frustum(0.06, 0.1, 0.12), metal.clone(), at(0.0, -0.31, 0.0)),
-        (Sphere::new(0.022).into(), lamp.clone(), at(0.0, 0.66, 0.0)),
-        (Sphere::new(0.018).into(), lamp, at(0.135, -0.12, 0.0)),
-    ];
-    for side in [-1.0, 1.0] {
-        let boom = at(0.0, 0.0, 0.2 * side).with_rotation(Quat::from_rotation_x(FRAC_PI_2));
-        let [panel, spar] = [[0.012, 0.3, 0.42], [0.02, 0.012, 0.42]].map(Vec3::from_array);
-        let outside = at(0.0, 0.0, 0.49 * side);
-        parts.extend([
-            (Cylinder::new(0.015, 0.16).into(), metal.clone(), boom),
-            (Cuboid::from_size(panel).into(), coating.clone(), outside),
-            (Cuboid::from_size(spar).into(), metal.clone(), outside),
-        ]);
-    }
-    parts
-}
-
-/// A cone without its tip.
-fn frustum(radius_top: f32, radius_bottom: f32, height: f32) -> Mesh {
-    let frustum = ConicalFrustum {
-        radius_top,
-        radius_bottom,
-        height,
-    };
-    frustum.into()
 }
 
 /// Places the craft and its lamps relative to the camera, which stays at the origin. The difference
