@@ -5,7 +5,7 @@ use exr::prelude::{AttributeValue, FlatSamples, read_first_flat_layer_from_file}
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
-use lightfall_core::scene::{DiskModel, DiskStructure, Scene};
+use lightfall_core::scene::{DiskModel, DiskStructure, Scene, ToneCurve};
 use lightfall_picture::{CHANNELS, render};
 use std::collections::BTreeMap;
 use std::fs;
@@ -102,6 +102,7 @@ fn linear_light_through_exposure_and_tone_curve_is_the_plain_picture() {
     // With the probe in front, whose pixels have four samples.
     let (mut scene, size) = plain(small(6));
     scene.picture.exposure_ev = -4.0;
+    scene.picture.tone_curve = ToneCurve::Neutral;
     let still = render(&scene, size).unwrap();
     let linear = linear(&scene, "");
     assert_eq!(linear.size, size);

@@ -26,6 +26,8 @@ fn what_the_probe_covers_shows_no_star() {
     let mut scene = small(6);
     // A large one, which covers many stars.
     (scene.disk.enabled, scene.probe.size) = (false, 2.0);
+    // Behind a smooth edge a star shines through the samples that the probe does not cover.
+    scene.probe.antialias = false;
     let options = HeadlessOptions {
         light: true,
         ..HeadlessOptions::default()

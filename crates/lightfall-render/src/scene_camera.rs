@@ -8,7 +8,7 @@ use crate::comparison::{ComparedScene, follow_current_scene};
 use crate::drawn_scene::DrawnScene;
 use bevy::camera::{
     CameraMainTextureUsages, CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure,
-    Hdr, RenderTarget,
+    Hdr, MsaaWriteback, RenderTarget,
 };
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
@@ -73,6 +73,8 @@ fn spawn_cameras(
         Camera {
             order: -1,
             clear_color: ClearColorConfig::None,
+            // The probe and the geodesic pass cover every sample, so none needs the last picture.
+            msaa_writeback: MsaaWriteback::Off,
             output_mode: CameraOutputMode::Skip,
             ..default()
         },

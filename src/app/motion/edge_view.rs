@@ -22,11 +22,11 @@ const FACES_HOLE: f64 = 0.2;
 /// How far from the hole's middle a camera has to look so that the edge of the shadow is in its
 /// picture, in radians, or a negative number. `radius` is the shadow's angular radius, `half_height`
 /// the angle from the middle of the picture to its upper edge. The edge comes nearer to the middle of
-/// the picture as the shadow outgrows it.
+/// the picture as the shadow outgrows it, so that the shadow never fills much more than half of it.
 #[must_use]
 pub fn edge_distance(radius: f64, half_height: f64) -> f64 {
     let first = FIRST_EDGE * half_height;
-    radius - first * (first / radius.max(first)).sqrt()
+    radius - first * first / radius.max(first)
 }
 
 /// The camera's axes on the observer's axes, turned by at most `max_turn` radians so that the edge of
