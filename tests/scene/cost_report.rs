@@ -21,7 +21,8 @@ fn the_cost_report_follows_from_the_scene() {
             .collect();
         cost_report(&presets::find(number).unwrap().scene(&overrides).unwrap())
     };
-    let probe = needs_of("6", &[]);
+    let still = ["disk.structure=\"none\"", "disk.limb=\"none\""];
+    let probe = needs_of("6", &still);
     assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
     assert_eq!(line(&probe, "picture"), "960x540 pixels, 480x270 cells");
     assert!(

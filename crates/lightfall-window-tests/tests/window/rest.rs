@@ -10,13 +10,24 @@ const MAX_AT_REST: u32 = 12;
 /// The time in which frames are counted.
 const COUNTED: Duration = Duration::from_secs(2);
 
+/// How often frames are counted until they are few: a message that fades meanwhile is drawn, but it
+/// fades once.
+const COUNTS: usize = 3;
+
 /// Waits until the program rests, and counts its frames a second.
 #[track_caller]
 pub fn assert_few_frames(desktop: &Desktop, what: &str) {
-    let before = desktop.wait_for("the program rests", |state| state.resting);
-    std::thread::sleep(COUNTED);
-    let frames = desktop.state().frame - before.frame;
-    let rate = frames / COUNTED.as_secs() as u32;
+    let count = || {
+        let before = desktop.wait_for("the program rests", |state| state.resting);
+        std::thread::sleep(COUNTED);
+        (desktop.state().frame - before.frame) / COUNTED.as_secs() as u32
+    };
+    let mut rate = count();
+    for _ in 1..COUNTS {
+        if rate > MAX_AT_REST {
+            rate = count();
+        }
+    }
     println!("{what}: {rate} frames a second");
     // Not frozen either.
     assert!(
