@@ -5,6 +5,7 @@
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let seen = light_at(position.xy + scene.picture.offset);
-    return vec4<f32>(bounded_light(seen.rgb + point_light(vec2<u32>(position.xy))), seen.a);
+    let place = position.xy - scene.picture.corner;
+    let seen = light_at(place + scene.picture.offset);
+    return vec4<f32>(bounded_light(seen.rgb + point_light(vec2<u32>(place))), seen.a);
 }

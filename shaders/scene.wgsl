@@ -122,6 +122,8 @@ struct Picture {
     whole: vec2<f32>,
     origin: vec2<f32>,
     size: vec2<f32>,
+    // Where the upper left corner of the part is drawn in the target, in pixels.
+    corner: vec2<f32>,
     // The numbers of the projection (shaders/projection/).
     projection: vec2<f32>,
     // The light of marks, which look the same at every exposure.

@@ -41,8 +41,10 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     let place = min(own_place, max(count, 1u) - 1u);
     let length = arrayLength(&list);
     let at = list[select(select(place, length - 1u - place, fine), length / 2u + place, bent)];
-    let width = u32(scene.picture.size.x);
+    let width = max(textureDimensions(picture).x, 1u);
     let pixel = vec2<u32>(at % width, at / width);
+    // The same within the scene's own part of the picture.
+    let part = pixel - vec2<u32>(scene.picture.corner);
 
     let ray = lane % rays;
     own_lane = lane;
@@ -51,7 +53,7 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     lane_below = lane ^ side;
     // The offset of the frame moves each ray within its own cell of the grid.
     let cell = vec2<f32>(vec2<u32>(ray % side, ray / side)) + 0.5 + scene.picture.offset;
-    let seen = light_along(photon_from(pixel_direction(vec2<f32>(pixel) + cell / f32(side))));
+    let seen = light_along(photon_from(pixel_direction(vec2<f32>(part) + cell / f32(side))));
     lights[lane] = vec4<f32>(bounded_light(seen.rgb), seen.a);
     workgroupBarrier();
 
@@ -62,6 +64,6 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
             sum += lights[lane + i];
         }
         let mean = sum / f32(rays);
-        textureStore(picture, pixel, vec4<f32>(bounded_light(mean.rgb + point_light(pixel)), mean.a));
+        textureStore(picture, pixel, vec4<f32>(bounded_light(mean.rgb + point_light(part)), mean.a));
     }
 }

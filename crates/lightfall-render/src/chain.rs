@@ -96,15 +96,18 @@ impl Chain {
     }
 
     /// The chain that also draws a compared scene. Two scenes side by side need no more passes than
-    /// one. A difference has neither bloom, which would spread it, nor smooth edges: what is
+    /// one; two whole pictures have no foreground, which is drawn once. A difference has neither bloom, which would spread it, nor smooth edges: what is
     /// compared are single rays, and it covers the foreground.
     #[must_use]
     pub fn comparing(self, compared: &ComparedScene) -> Self {
         let pinned = compared.drawn().map(|(scene, _)| Self::of(scene));
         let stars = self.stars || pinned.is_some_and(|pinned| pinned.stars);
         if !compared.is_difference() {
+            let two_pictures = compared.is_two_pictures();
             return Self {
                 stars,
+                probe: self.probe && !two_pictures,
+                samples: if two_pictures { 1 } else { self.samples },
                 antialias: self.antialias || pinned.is_some_and(|pinned| pinned.antialias),
                 shows_light: self.shows_light && pinned.is_none_or(|pinned| pinned.shows_light),
                 frames: self

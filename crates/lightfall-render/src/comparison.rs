@@ -6,14 +6,15 @@ mod compared_scene;
 mod difference;
 mod pinned;
 
-pub use compared_scene::{ComparedScene, ComparisonLayout};
+pub use compared_scene::{ComparedScene, ComparisonLayout, TwoScenes};
 pub(super) use difference::{DifferencePass, draw_difference, prepare_difference};
 pub use pinned::Pinned;
 
 use crate::drawn_scene::DrawnScene;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
-use lightfall_core::scene::Picture;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::{Picture, View};
 
 /// The pinned settings and how they are compared. `None` while nothing is compared.
 #[derive(Resource, Clone, Debug, Default)]
@@ -27,6 +28,9 @@ pub enum ComparisonMode {
         /// Place of the divider, as a share of the picture's width.
         divider: f32,
     },
+    /// Each scene is drawn whole, the pinned one in the left half and the current one in the right
+    /// half.
+    TwoPictures,
     /// The absolute difference of the two scenes' light is drawn.
     Difference {
         /// What the difference is multiplied by.
@@ -40,10 +44,16 @@ impl ComparisonMode {
             Self::SideBySide { divider } => ComparisonLayout::SideBySide {
                 columns: columns_left_of(divider, picture),
             },
+            Self::TwoPictures => ComparisonLayout::TwoPictures {
+                columns: columns_left_of(MIDDLE, picture),
+            },
             Self::Difference { gain } => ComparisonLayout::Difference { gain: gain as f32 },
         }
     }
 }
+
+/// Place of the line between two whole pictures.
+const MIDDLE: f32 = 0.5;
 
 /// The number of the picture's columns left of a divider. Where the picture is shown in cells, the
 /// divider lies between two cells, so that no cell mixes the two scenes.
@@ -77,21 +87,48 @@ pub(super) fn follow_current_scene(
         None => ComparedScene::None,
         Some((pinned, mode)) => {
             pinned.follow(&scene);
-            match pinned.drawable() {
-                Ok(drawable)
-                    if matches!(mode, ComparisonMode::Difference { .. })
-                        && drawable.view != scene.view =>
-                {
-                    ComparedScene::Undrawable(
-                        "a difference needs the same view on both sides".into(),
-                    )
-                }
-                Ok(drawable) => {
-                    ComparedScene::Drawn(Box::new((drawable, mode.layout(&scene.picture))))
-                }
+            match pinned
+                .drawable()
+                .and_then(|drawable| draw_together(drawable, &scene, *mode))
+            {
+                Ok(scenes) => ComparedScene::Drawn(Box::new(scenes)),
                 Err(reason) => ComparedScene::Undrawable(reason),
             }
         }
     };
     compared.set_if_neq(next);
+}
+
+/// The two scenes as this mode draws them, or why it cannot.
+fn draw_together(
+    pinned: Drawable,
+    current: &Drawable,
+    mode: ComparisonMode,
+) -> Result<TwoScenes, String> {
+    let layout = mode.layout(&current.picture);
+    let (pinned, current) = match layout {
+        ComparisonLayout::Difference { .. } if pinned.view != current.view => {
+            return Err("a difference needs the same view on both sides".into());
+        }
+        ComparisonLayout::TwoPictures { .. } if current.view == View::Error => {
+            return Err("the view error has numbers for one picture only".into());
+        }
+        ComparisonLayout::TwoPictures { columns } => {
+            let width = current.picture.width;
+            let [left, right] = [columns, width - columns].map(|columns| columns.max(1));
+            // Both pictures have the same scale, by which the narrower one shows all that one
+            // picture alone shows from left to right.
+            let factor = f64::from(width) / f64::from(left.min(right));
+            let half = |scene: &Drawable, columns| {
+                Drawable::new(scene.widened(factor, columns)).map_err(|reason| reason.to_string())
+            };
+            (half(&pinned, left)?, Some(half(current, right)?))
+        }
+        _ => (pinned, None),
+    };
+    Ok(TwoScenes {
+        pinned,
+        current,
+        layout,
+    })
 }

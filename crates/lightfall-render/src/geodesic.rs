@@ -37,7 +37,6 @@ use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{GpuResourceAppExt, Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
 use lightfall_core::gpu::bindings;
-use lightfall_core::scene::Frame;
 use pipeline::Destination;
 use queue::PipelineQueue;
 use side::{Shared, Side, SideWriter};
@@ -123,11 +122,10 @@ fn write_scenes(
         || errors.is_changed()
         || compared.is_changed()
         || limits.is_changed();
-    let frame = Frame::of(&scene);
-    let frame = request.map_or(frame, |request| request.next_sample(frame));
+    let request = request.as_deref();
     if !pass.changed {
         drawn.is_present = true;
-        pass.set_frame(&scene, &compared, &frame, &graphics);
+        pass.set_frame(&scene, &compared, request, &graphics);
         return;
     }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
@@ -141,14 +139,16 @@ fn write_scenes(
         limits: *limits,
         lists: &mut lists,
         catalogue: *catalogue,
-        frame: &frame,
+        request,
         graphics: &graphics,
     };
-    pass.current.write(&scene, current, &mut writer);
+    let corner = UVec2::new(compared.first_column(), 0);
+    let alone = compared.drawn_current(&scene);
+    pass.current.write((alone, corner), current, &mut writer);
     pass.pinned = match (compared.drawn(), pinned) {
         (Some((scene, layout)), Some(pipelines)) => {
             let (mut side, _) = pass.pinned.take().unwrap_or((Side::default(), layout));
-            side.write(scene, pipelines, &mut writer);
+            side.write((scene, UVec2::ZERO), pipelines, &mut writer);
             Some((side, layout))
         }
         _ => None,

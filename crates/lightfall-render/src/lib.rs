@@ -50,7 +50,9 @@ mod stars;
 pub use camera_markers::{SceneCamera, ScreenCamera};
 pub use capture::{Capture, Captured};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
-pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
+pub use comparison::{
+    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned, TwoScenes,
+};
 pub use cost_report::{cost_report, cost_rows};
 pub use detail_limits::DetailLimits;
 pub use device::render_plugin;

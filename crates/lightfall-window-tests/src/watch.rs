@@ -73,6 +73,7 @@ fn write_state(
         comparison: match comparison.0.as_ref().map(|(_, mode)| *mode) {
             None => String::new(),
             Some(ComparisonMode::SideBySide { .. }) => "side by side".into(),
+            Some(ComparisonMode::TwoPictures) => "two pictures".into(),
             Some(ComparisonMode::Difference { gain }) => format!("difference times {gain}"),
         },
         grabs_mouse: cursor.grab_mode != CursorGrabMode::None && !cursor.visible,

@@ -29,15 +29,16 @@ fn switch_comparison(
     mut comparison: ResMut<Comparison>,
     mut toast: ResMut<Toast>,
 ) {
-    use ComparisonMode::{Difference, SideBySide};
+    use ComparisonMode::{Difference, SideBySide, TwoPictures};
     for command in commands.read() {
         let mode = comparison.0.as_ref().map(|(_, mode)| *mode);
         let next = match (command, mode) {
-            (AppCommand::Compare, Some(SideBySide { .. })) => {
+            (AppCommand::Compare, Some(TwoPictures)) => {
                 comparison.0 = None;
                 toast.say("Side by side: off");
                 continue;
             }
+            (AppCommand::Compare, Some(SideBySide { .. })) => TwoPictures,
             (AppCommand::Compare, _) => SideBySide { divider: MIDDLE },
             (AppCommand::Difference, Some(Difference { gain })) => Difference {
                 gain: next_gain(gain),
@@ -57,7 +58,17 @@ fn switch_comparison(
         let key = bindings.label("picture.compare");
         toast.say(match next {
             SideBySide { .. } => {
-                format!("Side by side: on. What you change now shows on the right. {key} ends it")
+                format!(
+                    "Side by side: on. What you change now shows on the right. {key} again shows two whole pictures"
+                )
+            }
+            TwoPictures => {
+                let without = if scene.probe.enabled {
+                    ", without the probe"
+                } else {
+                    ""
+                };
+                format!("Side by side: two whole pictures{without}. {key} ends it")
             }
             Difference { gain } => {
                 format!("Difference, amplified {gain} times. {key} returns to the two sides")

@@ -5,7 +5,7 @@ use bevy::prelude::*;
 use glam::DVec3;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
 use lightfall_core::scene::Scene;
-use lightfall_render::DrawnScene;
+use lightfall_render::{ComparedScene, DrawnScene};
 
 /// The share of the picture, from 0 to 1, that has to be dark for the hole to fill the view.
 const FILLS_VIEW: f64 = 0.94;
@@ -46,19 +46,23 @@ impl SeenHole {
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<HoleInView>()
-        .add_systems(PostUpdate, find_hole.run_if(resource_changed::<DrawnScene>));
+    app.init_resource::<HoleInView>().add_systems(
+        PostUpdate,
+        find_hole
+            .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>)),
+    );
 }
 
 /// Only where rays have changed: the light of a disk that moves changes in every frame.
 fn find_hole(
-    scene: Res<DrawnScene>,
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
     mut hole: ResMut<HoleInView>,
     mut found_for: Local<Option<Scene>>,
 ) {
+    let scene = compared.drawn_current(&scene);
     let rays = scene.without_shading();
     if found_for.as_ref() != Some(&rays) {
-        hole.0 = SeenHole::new(&scene);
+        hole.0 = SeenHole::new(scene);
         *found_for = Some(rays);
     }
 }

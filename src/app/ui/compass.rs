@@ -4,8 +4,9 @@
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::guides::{PictureInWindow, Placement};
+use crate::app::ui::guides::Placement;
 use crate::app::ui::layout::{Importance, Layout, Slide, Wish};
+use crate::app::ui::picture_in_window::PictureInWindow;
 use crate::app::ui::screen::{BOX, MARGIN, Screen};
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
@@ -52,7 +53,7 @@ fn show_compass(
     let (Some((context, layout)), Some(hole)) = (screen.texts(), hole.0) else {
         return;
     };
-    let scene = &picture.scene;
+    let scene = picture.scene();
     let label = hole_label(scene, preferences.settings.units());
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);

@@ -4,9 +4,9 @@
 use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
-use crate::app::ui::guides::PictureInWindow;
 use crate::app::ui::help::HELP;
 use crate::app::ui::menu::menu_frame;
+use crate::app::ui::picture_in_window::PictureInWindow;
 use crate::app::ui::screen::MARGIN;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Pos2, Rect, Vec2, pos2, vec2};
@@ -339,10 +339,12 @@ fn begin_layout(
         layout.take("help", help);
     }
     let middle = Rect::from_center_size(bounds.center(), MAX_HOLE * bounds.size());
-    let hole = hole.0.and_then(|hole| picture.hole(context, &hole));
-    let kept = hole.map(|hole| hole.intersect(middle));
-    if let Some(kept) = kept.filter(|kept| kept.is_positive()) {
-        layout.take(HOLE, kept);
+    let holes = hole.0.map(|hole| picture.holes(context, &hole));
+    for hole in holes.unwrap_or_default() {
+        let kept = hole.intersect(middle);
+        if kept.is_positive() {
+            layout.take(HOLE, kept);
+        }
     }
     Ok(())
 }

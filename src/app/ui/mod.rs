@@ -15,6 +15,7 @@ pub(crate) mod notice;
 pub(crate) mod number;
 pub(crate) mod panel;
 pub(crate) mod photo_mode;
+pub(crate) mod picture_in_window;
 pub(crate) mod screen;
 pub(crate) mod star_names;
 pub(crate) mod theme;

@@ -2,8 +2,9 @@
 //! that the hole makes also has its order and magnification.
 
 use crate::app::state::overlays::Overlays;
-use crate::app::ui::guides::{PictureInWindow, Placement};
+use crate::app::ui::guides::Placement;
 use crate::app::ui::layout::{Importance, Layout};
+use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
 use crate::app::ui::screen::{Screen, draw_below_boxes};
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
@@ -11,7 +12,7 @@ use bevy_egui::egui::{Color32, FontId, Painter, Rect, Stroke};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Scene, SkyMode};
 use lightfall_platform::worker::Follower;
-use lightfall_render::{DrawnScene, StarCatalogue};
+use lightfall_render::{ComparedScene, DrawnScene, StarCatalogue};
 
 /// Largest number of stars with names.
 const MAX_NAMES: usize = 50;
@@ -70,9 +71,14 @@ fn sky_of(scene: &Scene) -> Scene {
     sky
 }
 
-fn find_images(scene: Res<DrawnScene>, overlays: Res<Overlays>, mut names: ResMut<StarNames>) {
-    if overlays.shows_star_names() && has_stars(&scene) {
-        names.0.follow(sky_of(&scene));
+fn find_images(
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
+    overlays: Res<Overlays>,
+    mut names: ResMut<StarNames>,
+) {
+    let scene = compared.drawn_current(&scene);
+    if overlays.shows_star_names() && has_stars(scene) {
+        names.0.follow(sky_of(scene));
     }
 }
 
@@ -82,7 +88,7 @@ fn show_star_names(
     overlays: Res<Overlays>,
     names: Res<StarNames>,
 ) {
-    let scene = &picture.scene;
+    let scene = picture.scene();
     // Names of an earlier place of the camera would point at nothing.
     let found = names
         .0
@@ -92,7 +98,7 @@ fn show_star_names(
         return;
     };
     let placement = picture.placement(context);
-    let shown = picture.shown_part(&placement);
+    let shown = picture.shown_part(SceneSide::Current, context);
     draw_below_boxes(context, "star names", shown, |painter| {
         draw(painter, images, &placement, shown, layout);
     });

@@ -15,6 +15,8 @@ pub struct Frame {
     pub origin: UVec2,
     /// Size of the part that is drawn, in pixels.
     pub size: UVec2,
+    /// Where the upper left corner of the part is drawn in the target, in pixels.
+    pub corner: UVec2,
     /// Number of this sample of a picture that is the mean of several.
     pub sample: u32,
     /// How many samples are averaged.
@@ -34,6 +36,7 @@ impl Frame {
             cells: scene.picture.grid(),
             origin: UVec2::ZERO,
             size,
+            corner: UVec2::ZERO,
             sample: 0,
             samples: 1,
             exposure_ev: scene.picture.exposure_ev,
@@ -50,6 +53,12 @@ impl Frame {
             size: whole,
             ..self
         }
+    }
+
+    /// The frame drawn at another place of the target.
+    #[must_use]
+    pub fn at_corner(self, corner: UVec2) -> Self {
+        Self { corner, ..self }
     }
 
     /// The frame as one of several samples that are averaged.

@@ -5,6 +5,7 @@
 //! Directions are unit vectors (right, up, forward) of the camera. Places are in pixels from the
 //! upper left corner of a picture, whose size is in pixels, too.
 
+use super::tables::MAX_FIELD_OF_VIEW_DEG;
 use super::{Camera, Scene};
 use glam::{DVec2, DVec3};
 
@@ -106,6 +107,18 @@ impl Camera {
 }
 
 impl Scene {
+    /// The scene in a picture of `columns` columns that shows a field of view `factor` times as
+    /// large, as far as there is one: what a pixel covers grows by this factor in both directions.
+    #[must_use]
+    pub fn widened(&self, factor: f64, columns: u32) -> Self {
+        let mut scene = self.clone();
+        let wide = self.camera.widened_fov_deg(factor);
+        scene.camera.fov_deg = wide.min(MAX_FIELD_OF_VIEW_DEG);
+        scene.picture.width = columns;
+        scene.picture.grid_width = scene.picture.grid_width.min(columns);
+        scene
+    }
+
     /// The angle that a pixel in the middle of the scene's picture covers, in radians.
     pub fn pixel_angle(&self) -> f64 {
         self.camera.pixel_angle(self.picture.size().as_dvec2())

@@ -34,7 +34,9 @@ const SIDE: Range = Range::closed(1.0, MAX_PICTURE_SIDE as f64);
 /// observer exists.
 const CAMERA: Range = Range::closed(0.1, MAX_RADIUS);
 /// A vertical field of view, from a millionth of a radian up.
-const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), 179.0);
+const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), MAX_FIELD_OF_VIEW_DEG);
+/// The largest vertical field of view, in degrees.
+pub(super) const MAX_FIELD_OF_VIEW_DEG: f64 = 179.0;
 
 /// Declares a table: the struct with its defaults, and the rows of its fields in the field table.
 /// `in (camera)` is the table's name in a preset; the scene itself has none, and holds the tables.

@@ -5,7 +5,7 @@ use super::pipeline::Destination;
 use super::side::Side;
 use crate::antialias::AntialiasPass;
 use crate::camera_markers::SceneCamera;
-use crate::comparison::{ComparisonLayout, DifferencePass};
+use crate::comparison::DifferencePass;
 use crate::full_screen_pass::attachment;
 use crate::graphics::{picture_size, run_render_pass};
 use crate::progress::DrawnFrame;
@@ -65,7 +65,7 @@ fn draw_picture(
         return false;
     };
     let pinned = match &pass.pinned {
-        Some((side, ComparisonLayout::SideBySide { .. })) => {
+        Some((side, layout)) if layout.divider().is_some() => {
             let Some(ready) = side.ready(cache) else {
                 return false;
             };

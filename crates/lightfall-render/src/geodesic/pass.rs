@@ -4,12 +4,12 @@ use super::pipeline::Destination;
 use super::queue::PicturePipelines;
 use super::side::{Shared, Side};
 use crate::comparison::{ComparedScene, ComparisonLayout};
+use crate::draw_request::DrawRequest;
 use crate::graphics::Graphics;
 use crate::stars::SceneStars;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::Frame;
 use std::ops::Range;
 
 /// The pass's resources on the GPU.
@@ -31,10 +31,9 @@ pub(crate) struct GeodesicPass {
 impl GeodesicPass {
     /// The columns of a picture of this width that show the pinned scene and the current one.
     pub(super) fn columns(&self, width: u32) -> [Range<u32>; 2] {
-        let divider = match self.pinned {
-            Some((_, ComparisonLayout::SideBySide { columns })) => columns.min(width),
-            _ => 0,
-        };
+        let layout = self.pinned.as_ref().map(|(_, layout)| *layout);
+        let divider = layout.and_then(ComparisonLayout::divider).unwrap_or(0);
+        let divider = divider.min(width);
         [0..divider, divider..width]
     }
 
@@ -50,12 +49,13 @@ impl GeodesicPass {
         &mut self,
         scene: &Drawable,
         compared: &ComparedScene,
-        frame: &Frame,
+        request: Option<&DrawRequest>,
         graphics: &Graphics,
     ) {
-        self.current.set_frame(scene, frame, graphics);
-        if let (Some((side, _)), Some((scene, _))) = (&mut self.pinned, compared.drawn()) {
-            side.set_frame(scene, frame, graphics);
+        let current = compared.drawn_current(scene);
+        self.current.set_frame(current, request, graphics);
+        if let (Some((side, _)), Some((pinned, _))) = (&mut self.pinned, compared.drawn()) {
+            side.set_frame(pinned, request, graphics);
         }
     }
 

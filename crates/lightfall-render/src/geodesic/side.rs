@@ -3,8 +3,10 @@
 use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
 use crate::detail_limits::DetailLimits;
+use crate::draw_request::DrawRequest;
 use crate::graphics::{Graphics, create_buffer};
 use crate::stars::{SceneStars, StarCatalogue, StarLists, StarWriter};
+use bevy::math::UVec2;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
@@ -24,6 +26,8 @@ pub(super) struct Side {
     stars: Option<SceneStars>,
     bind_group: Option<BindGroup>,
     pipelines: Option<SidePipelines>,
+    /// Where the scene's own picture begins in the target, in pixels.
+    corner: UVec2,
     /// Most pixels that one call draws.
     max_pixels_of_call: u32,
 }
@@ -36,8 +40,8 @@ pub(super) struct SideWriter<'a> {
     pub(super) limits: DetailLimits,
     pub(super) lists: &'a mut StarLists,
     pub(super) catalogue: StarCatalogue,
-    /// The frame, as one of those that are averaged.
-    pub(super) frame: &'a Frame,
+    /// What says which of the averaged frames comes next.
+    pub(super) request: Option<&'a DrawRequest>,
     pub(super) graphics: &'a Graphics<'a>,
 }
 
@@ -79,16 +83,17 @@ fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: bool) -> Textu
 }
 
 impl Side {
-    /// Writes a scene, which these pipelines draw.
+    /// Writes a scene, which these pipelines draw. Its own picture begins at `corner` of the target.
     pub(super) fn write(
         &mut self,
-        scene: &Drawable,
+        (scene, corner): (&Drawable, UVec2),
         pipelines: SidePipelines,
         writer: &mut SideWriter,
     ) {
         let Graphics { device, queue, .. } = writer.graphics;
         let mut numbers = scene.numbers().clone();
-        numbers.picture = GpuPicture::new(scene, writer.frame);
+        self.corner = corner;
+        numbers.picture = self.picture(scene, writer.request);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
         let inputs = Inputs {
@@ -187,12 +192,24 @@ impl Side {
     }
 
     /// Goes on to another one of the frames that are averaged.
-    pub(super) fn set_frame(&mut self, scene: &Drawable, frame: &Frame, graphics: &Graphics) {
-        let picture = GpuPicture::new(scene, frame);
+    pub(super) fn set_frame(
+        &mut self,
+        scene: &Drawable,
+        request: Option<&DrawRequest>,
+        graphics: &Graphics,
+    ) {
+        let picture = self.picture(scene, request);
         if self.uniform.get().picture != picture {
             self.uniform.get_mut().picture = picture;
             self.uniform.write_buffer(&graphics.device, &graphics.queue);
         }
+    }
+
+    /// The numbers of the next frame.
+    fn picture(&self, scene: &Drawable, request: Option<&DrawRequest>) -> GpuPicture {
+        let frame = Frame::of(scene).at_corner(self.corner);
+        let frame = request.map_or(frame, |request| request.next_sample(frame));
+        GpuPicture::new(scene, &frame)
     }
 
     /// The pipeline and the bindings to draw with, and the most pixels of one call, once a scene has

@@ -6,6 +6,7 @@ mod craft;
 
 use crate::camera_markers::SceneCamera;
 use crate::chain::Chain;
+use crate::comparison::{ComparedScene, follow_current_scene};
 use crate::drawn_scene::DrawnScene;
 use bevy::light::GlobalAmbientLight;
 use bevy::pbr::ExtractedClusterConfig;
@@ -49,7 +50,8 @@ pub(super) fn plugin(app: &mut App) {
         PostUpdate,
         (spawn_or_despawn_probe, place_probe, light_lamps)
             .chain()
-            .run_if(resource_changed::<DrawnScene>)
+            .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>))
+            .after(follow_current_scene)
             .before(TransformSystems::Propagate),
     );
     app.sub_app_mut(RenderApp).add_systems(
@@ -63,10 +65,10 @@ pub(super) fn plugin(app: &mut App) {
 /// Keeps Bevy from sorting lamps into the camera's clusters where there is no foreground to light.
 fn skip_lamp_clustering(
     mut commands: Commands,
-    scene: Res<DrawnScene>,
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
     cameras: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
 ) {
-    if !Chain::of(&scene).probe {
+    if !Chain::of(&scene).comparing(&compared).probe {
         cameras.iter().for_each(|camera| {
             commands.entity(camera).remove::<ExtractedClusterConfig>();
         });
@@ -76,12 +78,12 @@ fn skip_lamp_clustering(
 /// Spawns the craft and its lamps when the scene has a probe, and despawns them when it has none.
 fn spawn_or_despawn_probe(
     mut commands: Commands,
-    scene: Res<DrawnScene>,
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
     parts: Query<Entity, Or<(With<Probe>, With<DiskLamp>)>>,
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
 ) {
-    let wanted = Chain::of(&scene).probe;
+    let wanted = Chain::of(&scene).comparing(&compared).probe;
     if wanted != parts.is_empty() {
         return;
     }

@@ -72,6 +72,20 @@ fn the_divider_separates_the_pinned_settings_from_the_changed_ones_and_can_be_dr
     desktop.settled("0, side by side again", |shot| {
         left(shot, &bent, middle) == 0.0 && right(shot, &straight, middle) == 0.0
     });
+    // Two whole pictures: on each side, the hole is at the middle.
+    desktop.press("0");
+    desktop.settled("0, two whole pictures", |shot| {
+        line(shot, middle) > ROWS.len() - 10
+            && left(shot, &bent, middle) > 0.1
+            && right(shot, &straight, middle) > 0.1
+    });
+    desktop.press("l");
+    desktop.settled("L, the same picture twice", |shot| {
+        let columns = DIVIDER..middle - DIVIDER;
+        ROWS.flat_map(|y| columns.clone().map(move |x| (x, y)))
+            .all(|(x, y)| shot.pixel(x, y) == shot.pixel(middle + x, y))
+    });
+    desktop.press("l");
     desktop.press("0");
     desktop.settled("0, the end", |shot| {
         shot.changed(&straight, 0..WINDOW.0, ROWS) == 0.0

@@ -91,13 +91,18 @@ fn speed(state: &State) -> Option<&str> {
 
 /// The JSON that is copied once the GPU has answered.
 fn copied(desktop: &Desktop) -> serde_json::Value {
+    copied_once(desktop, |json| !json["gpu"].is_null())
+}
+
+/// The JSON that is copied once it is so.
+fn copied_once(desktop: &Desktop, is_so: impl Fn(&serde_json::Value) -> bool) -> serde_json::Value {
     let json = || {
         let text = desktop.clipboard().unwrap_or_default();
         serde_json::from_str::<serde_json::Value>(&text).unwrap_or_default()
     };
     desktop.wait("the GPU's answer", || {
         desktop.click("Copy JSON");
-        !json()["gpu"].is_null()
+        is_so(&json())
     });
     json()
 }
@@ -115,5 +120,40 @@ fn same(field: &str, a: &serde_json::Value, b: &serde_json::Value) {
             }
         }
         _ => assert_eq!(a, b, "{field}"),
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn of_two_whole_pictures_a_click_traces_the_pixel_of_the_one_that_it_meets() {
+    let desktop = Desktop::open(&["--preset", "2", "--set", "picture.bypass=true"]);
+    desktop.first_picture();
+    for key in ["i", "0", "0"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("two whole pictures", |state| {
+        state.comparison == "two pictures"
+    });
+    let mut scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    // Without cells, the picture beside the inspector has the window's pixels.
+    (scene.picture.width, scene.picture.height) = (1050, 810);
+    let half = scene.widened(2.0, 525);
+    for ([x, y], first) in [
+        ([600, 300], 0.0),
+        ([1130, 300], 525.0),
+        ([1300, 500], 525.0),
+    ] {
+        desktop.click_at([x, y]);
+        let place = DVec2::new(f64::from(x) - INSPECTOR_WIDTH, f64::from(y));
+        let pixel = place.floor() + 0.5 - DVec2::new(first, 0.0);
+        let clicked = serde_json::json!([pixel.x, pixel.y]);
+        let json = copied_once(&desktop, |json| json["pixel"] == clicked);
+        let ray = Ray::toward(half.camera.looking(pixel, DVec2::new(525.0, 810.0)));
+        let direction = half.camera.tetrad_from_camera() * ray.direction();
+        let expected = Inspected::new(&half, direction, Some(pixel.to_array()), 120.0);
+        let expected = serde_json::to_value(&expected.unwrap().numbers).unwrap();
+        for field in ["cpu", "impact_parameter", "order"] {
+            same(field, &json[field], &expected[field]);
+        }
     }
 }

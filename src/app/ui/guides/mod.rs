@@ -9,6 +9,7 @@ mod style;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::Importance;
+use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
 use crate::app::ui::screen::{MARGIN, Screen, draw_below_boxes};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
@@ -20,8 +21,8 @@ use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::Scene;
 use lightfall_platform::worker::Follower;
 use lightfall_render::DrawnScene;
+pub(in crate::app::ui) use place::Placement;
 use place::draw_line;
-pub(in crate::app::ui) use place::{PictureInWindow, Placement};
 use style::{Style, name};
 
 /// Opacity of the slow guides while they belong to an earlier place of the camera.
@@ -89,8 +90,8 @@ fn show_guides(
     let (Some((context, layout)), Some((sky, quick))) = (screen.texts(), quick) else {
         return;
     };
-    let (placement, scene) = (picture.placement(context), &picture.scene);
-    let shown = picture.shown_part(&placement);
+    let (placement, scene) = (picture.placement(context), picture.scene());
+    let shown = picture.shown_part(SceneSide::Current, context);
     let visible = shown.intersect(layout.bounds().expand(MARGIN));
     if !visible.is_positive() {
         return;
@@ -110,7 +111,7 @@ fn show_guides(
         HoleMass::of_suns(preferences.settings.hole_mass_suns),
         Tracing {
             waiting,
-            right_side: picture.divider(&placement).is_some(),
+            right_side: picture.divider(context).is_some(),
         },
     );
     let strength = if waiting { STALE } else { 1.0 };

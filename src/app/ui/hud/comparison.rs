@@ -10,12 +10,12 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
-use crate::app::ui::guides::PictureInWindow;
 use crate::app::ui::layout::{Layout, Slide, Wish};
+use crate::app::ui::picture_in_window::PictureInWindow;
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui;
-use divider::show_divider;
+use divider::{show_border, show_divider};
 use egui::{Align2, Color32, pos2};
 use lightfall_render::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode};
 
@@ -47,13 +47,15 @@ pub(super) fn show_comparison(
             ("The pinned settings are not drawn", BRIGHT),
             (reason, QUIET),
         ]),
-        ComparedScene::Drawn(drawn) => match drawn.1 {
-            ComparisonLayout::SideBySide { columns } => {
-                let placement = picture.placement(context);
-                let picture = placement.picture;
-                let x = placement.of_column(columns);
+        ComparedScene::Drawn(scenes) => match scenes.layout {
+            ComparisonLayout::SideBySide { .. } | ComparisonLayout::TwoPictures { .. } => {
+                let x = picture.divider(context).unwrap_or_default();
+                let picture = picture.whole(context);
                 let height = picture.intersect(context.content_rect()).y_range();
-                if room.x_range().contains(x)
+                let is_visible = room.x_range().contains(x);
+                if is_visible && scenes.layout.is_two_pictures() {
+                    show_border(context, x, height);
+                } else if is_visible
                     && let Some(dragged) = show_divider(context, x, height, !overlays.inspector)
                 {
                     let share = (dragged - picture.left()) / picture.width().max(1.0);

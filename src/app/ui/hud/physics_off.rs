@@ -7,7 +7,7 @@ use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui::Align2;
 use lightfall_core::scene::{FIELDS, Scene, Value};
-use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene};
+use lightfall_render::{ComparedScene, CurrentScene};
 
 /// Names the effects that are switched off, as in `Physics off: Doppler shift, beaming`. None if all are
 /// on.
@@ -31,7 +31,8 @@ pub(super) fn show_physics_off(
         return;
     };
     // In a comparison of different physics, the present scene is on the right side.
-    if let Some((pinned, ComparisonLayout::SideBySide { .. })) = compared.drawn()
+    if let Some((pinned, layout)) = compared.drawn()
+        && layout.divider().is_some()
         && pinned.effects != scene.effects
     {
         line = line.replacen("Physics off", "Right side off", 1);

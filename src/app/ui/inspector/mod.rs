@@ -16,7 +16,7 @@ use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
-use crate::app::ui::guides::PictureInWindow;
+use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use colours::path_colour;
@@ -25,7 +25,6 @@ use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::Scene;
-use lightfall_render::{ComparedScene, ComparisonLayout};
 use ray_worker::{InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
@@ -50,6 +49,8 @@ struct Inspector {
     fan: u32,
     /// Pixels between the rays of the fan.
     spacing: f64,
+    /// Which of two compared scenes was clicked last.
+    side: SceneSide,
     /// The scene and the pixel of the last click.
     asked: Option<(Scene, DVec2)>,
     answer: Option<InspectedRays>,
@@ -63,6 +64,7 @@ pub(crate) fn plugin(app: &mut App) {
         sketch: Sketch::default(),
         fan: 1,
         spacing: 12.0,
+        side: SceneSide::Current,
         asked: None,
         answer: None,
         text_height: 0.0,
@@ -97,22 +99,12 @@ fn inspect_chosen_pixel(
         None if clicked => picture.pixel_of_mouse(),
         None => None,
     };
-    if let Some(pixel) = pixel {
-        let scene = scene_at(pixel, &picture.scene, &picture.compared).clone();
-        inspector.asked = Some((scene, pixel));
+    if let Some((side, pixel)) = pixel
+        && let Some(scene) = picture.scene_of(side)
+    {
+        inspector.side = side;
+        inspector.asked = Some((scene.clone(), pixel));
         inspector.ask();
-    }
-}
-
-/// The scene that a pixel shows: the pinned one left of a comparison's divider.
-fn scene_at<'a>(pixel: DVec2, scene: &'a Scene, compared: &'a ComparedScene) -> &'a Scene {
-    match compared.drawn() {
-        Some((pinned, ComparisonLayout::SideBySide { columns }))
-            if pixel.x < f64::from(columns) =>
-        {
-            pinned.scene()
-        }
-        _ => scene,
     }
 }
 
@@ -162,12 +154,10 @@ fn show_inspector(
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
-    // The scene that the pixel of the last answer shows now.
-    let clicked = inspector.answer.as_ref().and_then(|it| it.rays.first());
-    let pixel = clicked
-        .and_then(|ray| ray.numbers.pixel)
-        .unwrap_or_default();
-    let scene = scene_at(pixel.into(), &picture.scene, &picture.compared);
+    // The scene that was clicked, as it is now.
+    let scene = picture
+        .scene_of(inspector.side)
+        .unwrap_or_else(|| picture.scene());
     mark_rays(context, inspector, scene, &picture);
     docked(context, "inspector", Side::Left, INSPECTOR_WIDTH, |ui| {
         ui.horizontal(|ui| {
@@ -291,10 +281,16 @@ fn mark_rays(
     };
     let layer = egui::LayerId::new(egui::Order::Background, "inspected".into());
     let painter = context.layer_painter(layer);
-    let placement = picture.placement(context);
+    let Some(placement) = picture.placement_of(inspector.side, context) else {
+        return;
+    };
+    let shown = picture.shown_part(inspector.side, context);
     for (i, inspected) in answer.rays.iter().enumerate() {
         let pixel = DVec2::from_array(inspected.numbers.pixel.unwrap_or_default());
         let centre = placement.of_pixel(pixel);
+        if !shown.contains(centre) {
+            continue;
+        }
         let (radius, width) = if i == 0 { (7.0, 2.0) } else { (3.0, 1.0) };
         for (radius, colour) in [
             (radius + 1.0, egui::Color32::BLACK),

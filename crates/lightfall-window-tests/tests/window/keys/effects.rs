@@ -102,10 +102,7 @@ pub const EFFECTS: &[(&str, Effect)] = &[
     ("window.screenshot", Script(scripts::screenshot)),
     ("window.screenshot_of_window", Script(scripts::screenshot)),
     ("window.fullscreen", Switches(|state| state.full_screen)),
-    (
-        "picture.compare",
-        Switches(|state| state.comparison == "side by side"),
-    ),
+    ("picture.compare", Script(scripts::compare)),
     ("picture.difference", Script(scripts::difference)),
     ("motion.let_go", Switches(|state| state.falls)),
     ("motion.slower", Script(scripts::slower_time)),

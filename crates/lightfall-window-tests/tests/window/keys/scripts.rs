@@ -138,15 +138,23 @@ pub fn screenshot(session: &mut Session, key: &str) {
     session.press("g");
 }
 
+pub fn compare(session: &mut Session, key: &str) {
+    for shown in ["side by side", "two pictures", ""] {
+        session.press(key);
+        session.wait_for(key, |state| state.comparison == shown);
+    }
+}
+
 pub fn difference(session: &mut Session, key: &str) {
     for gain in [16, 64] {
         session.press(key);
         let wanted = format!("difference times {gain}");
         session.wait_for(key, |state| state.comparison == wanted);
     }
-    // Back to the two sides, and to one picture.
-    session.press("0");
-    session.press("0");
+    // Back to the two sides, to two pictures, and to one.
+    for _ in 0..3 {
+        session.press("0");
+    }
     session.wait_for("one picture", |state| state.comparison.is_empty());
 }
 

@@ -45,12 +45,22 @@ pub(super) fn show_divider(
     dragged
 }
 
+/// Draws the line between two whole pictures, which stays where it is.
+pub(super) fn show_border(context: &egui::Context, x: f32, y: Rangef) {
+    draw_below_boxes(context, "divider line", context.content_rect(), |painter| {
+        draw_line(painter, x, y, 0.0);
+    });
+}
+
+fn draw_line(painter: &egui::Painter, x: f32, y: Rangef, wider: f32) {
+    painter.vline(x, y, Stroke::new(4.0 + wider, EDGE));
+    painter.vline(x, y, Stroke::new(2.0 + wider, LINE));
+}
+
 /// Draws the line and its handle.
 fn draw(context: &egui::Context, x: f32, y: Rangef, held: bool) {
     draw_below_boxes(context, "divider line", context.content_rect(), |painter| {
-        let wider = if held { 1.0 } else { 0.0 };
-        painter.vline(x, y, Stroke::new(4.0 + wider, EDGE));
-        painter.vline(x, y, Stroke::new(2.0 + wider, LINE));
+        draw_line(painter, x, y, if held { 1.0 } else { 0.0 });
         let middle = pos2(x, y.center());
         let fill = if held { Color32::WHITE } else { LINE };
         painter.circle(middle, HANDLE_RADIUS, fill, Stroke::new(1.5, EDGE));
