@@ -4,7 +4,7 @@ use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::glyphs::note_lacking;
 use super::output::print;
-use super::scene::{drawable, journey, note_missing_stars, scene, stars};
+use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, scene, stars};
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
@@ -27,6 +27,11 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
+    if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
+        return Err(Stop::refused(format!(
+            "--journey {NO_JOURNEY} is for `lightfall render`; the window flies a journey when J is pressed, or at once where --journey names a file"
+        )));
+    }
     let journey = journey(journey_file, &scene)?;
     if let Some(folder) = &args.shaders {
         ShaderFiles::read(folder).map_err(|error| Stop::refused(format!("--shaders: {error}")))?;

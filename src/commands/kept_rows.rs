@@ -4,6 +4,7 @@
 use super::cli::ReportArgs;
 use super::output::publish;
 use super::stop::Stop;
+use lightfall_core::reason::reason;
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::csv;
 use lightfall_lab::import::Report;
@@ -107,8 +108,9 @@ impl<'a, T: Clone + Serialize + DeserializeOwned> KeptRows<'a, T> {
             && let Err(error) = storage::remove(&file)
         {
             say(format_args!(
-                "lightfall: {}: cannot be removed: {error}",
-                file.display()
+                "lightfall: {}: cannot be removed: {}",
+                file.display(),
+                reason(&error)
             ));
         }
         Ok(())

@@ -31,6 +31,9 @@ pub(super) fn scene_with(args: &SceneArgs, overrides: &[Override]) -> Result<Sce
     }
 }
 
+/// The word that stands for no journey where pictures are rendered.
+pub(super) const NO_JOURNEY: &str = "none";
+
 /// The journey of a file through `scene`, or the built-in journey.
 ///
 /// # Errors

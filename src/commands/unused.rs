@@ -56,9 +56,10 @@ pub(super) fn note_unused(
     let mut said = Vec::new();
     for (index, given) in overrides.iter().enumerate() {
         let option = written(args, given);
-        let Some(without) = without(args, &overrides, index).map(&finish) else {
+        let Some(unfinished) = without(args, &overrides, index) else {
             continue;
         };
+        let without = finish(unfinished.clone());
         let later = overrides[index + 1..]
             .iter()
             .find(|after| after.key == given.key);
@@ -67,7 +68,7 @@ pub(super) fn note_unused(
         } else if let Some(idle) = scene.idle_value(&given.key, output) {
             Some(with_remedy(idle, "--set "))
         } else if without.differences(scene).is_empty() {
-            Some("the scene has this value without it".into())
+            Some(reason_of_equal(&unfinished, args, &overrides).into())
         } else if let Some(reason) = without.same_value(scene, &given.key) {
             Some(reason.into())
         } else {
@@ -88,6 +89,17 @@ pub(super) fn note_unused(
         }
     }
     suspects
+}
+
+/// Why the finished scene is the same without an option, which led to the scene `unfinished`.
+fn reason_of_equal(unfinished: &Scene, args: &SceneArgs, overrides: &[Override]) -> &'static str {
+    let with = scene_with(args, overrides);
+    if with.is_ok_and(|with| !with.differences(unfinished).is_empty()) {
+        // Nothing else finishes a scene.
+        "--size decides it"
+    } else {
+        "the scene has this value without it"
+    }
 }
 
 /// An option as it was written.
@@ -122,14 +134,15 @@ pub(super) fn idle_fields(preset: &OsStr, scene: &Scene) -> Vec<String> {
     if is_built_in || is_in_picture(Path::new(preset)) {
         return idle;
     }
-    for (key, value) in scene.differences(&Scene::default()) {
-        if !ALWAYS_GIVEN.contains(&key)
-            && let Some(reason) = scene.idle_value(key, Output::Window)
-        {
-            idle.push(format!(
-                "{key} = {value} changes nothing: {}",
-                with_remedy(reason, "")
-            ));
+    let default = Scene::default();
+    for (key, value) in scene.differences(&default) {
+        let reason = scene
+            .idle_value(key, Output::Window)
+            .map(|reason| with_remedy(reason, ""))
+            .or_else(|| default.same_value(scene, key).map(str::to_owned))
+            .filter(|_| !ALWAYS_GIVEN.contains(&key));
+        if let Some(reason) = reason {
+            idle.push(format!("{key} = {value} changes nothing: {reason}"));
         }
     }
     idle

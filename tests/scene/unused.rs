@@ -61,6 +61,10 @@ fn an_option_that_changes_nothing_is_named_with_the_reason() {
             "--set disk.waves=25 changes nothing: the number of waves is rounded down to a multiple of four",
         ),
         (
+            "-o a.png --set picture.width=300",
+            "--set picture.width=300 changes nothing: --size decides it",
+        ),
+        (
             "-o a-#.png --frames 30..31 --set camera.r=9 --set disk.rate=9",
             "--set camera.r=9 changes nothing: the journey decides it; --journey none keeps the camera where the scene has it",
         ),
@@ -82,12 +86,13 @@ fn an_option_that_changes_nothing_is_named_with_the_reason() {
 fn values_of_presets_journeys_and_traces_that_change_nothing_are_named() {
     let preset = [(
         "mine.toml",
-        "[disk]\nenabled = false\ntemperature_k = 5e3\nlimb = \"none\"",
+        "[disk]\nenabled = false\ntemperature_k = 5e3\nlimb = \"none\"\n[camera]\nphi_deg = 360",
     )];
     let check = remarks("presets check mine.toml", &preset);
     assert_eq!(
         check,
-        "lightfall: mine.toml: disk.temperature_k = 5000.0 changes nothing: the disk is off; disk.enabled=true uses it\n"
+        "lightfall: mine.toml: camera.phi_deg = 360.0 changes nothing: the scene has the same angle without it, but for whole turns\n\
+         lightfall: mine.toml: disk.temperature_k = 5000.0 changes nothing: the disk is off; disk.enabled=true uses it\n"
     );
     let rays = remarks(
         "trace --rays - --device cpu --set sky.brightness=2 --spin 0.5",

@@ -6,11 +6,14 @@ use thiserror::Error;
 /// the name of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum NotText {
-    /// Every other byte is zero, and no byte order mark says which.
+    /// Every other byte is zero, and there is no byte order mark.
     #[error(
-        "is UTF-16 text without a byte order mark; save it as UTF-8, in PowerShell with `Get-Content -Encoding Unicode OLD | Set-Content -Encoding utf8 NEW`"
+        "is UTF-16 text without a byte order mark; save it as UTF-8, in PowerShell with `Get-Content -Encoding {encoding} OLD | Set-Content -Encoding utf8 NEW`"
     )]
-    Utf16WithoutMark,
+    Utf16WithoutMark {
+        /// PowerShell's name of the encoding.
+        encoding: &'static str,
+    },
     /// UTF-16 with half a character.
     #[error(
         "is UTF-16 text with a broken character; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`"
@@ -52,10 +55,11 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
         _ => utf8(bytes)?,
     };
     match text.find('\0') {
-        Some(_) if looks_like_utf16(text.as_bytes()) => Err(NotText::Utf16WithoutMark),
-        Some(at) => Err(NotText::Binary {
-            line: line_of(text.as_bytes(), at),
-        }),
+        Some(at) => Err(
+            utf16_without_mark(text.as_bytes()).unwrap_or(NotText::Binary {
+                line: line_of(text.as_bytes(), at),
+            }),
+        ),
         None => Ok(text),
     }
 }
@@ -67,8 +71,8 @@ fn utf8(mut bytes: Vec<u8>) -> Result<String, NotText> {
     }
     String::from_utf8(bytes).map_err(|error| {
         let (at, bytes) = (error.utf8_error().valid_up_to(), error.as_bytes());
-        if looks_like_utf16(bytes) {
-            NotText::Utf16WithoutMark
+        if let Some(utf16) = utf16_without_mark(bytes) {
+            utf16
         } else if let Some(zero) = bytes.iter().position(|byte| *byte == 0) {
             let line = line_of(bytes, zero);
             NotText::Binary { line }
@@ -89,14 +93,18 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
     rest.is_empty().then_some(text).ok_or(NotText::BrokenUtf16)
 }
 
-/// Whether most bytes at even places, or at odd places, are zero: ASCII characters as UTF-16.
-fn looks_like_utf16(bytes: &[u8]) -> bool {
+/// UTF-16, if most bytes at even places, or at odd places, are zero: ASCII characters have their high
+/// byte there.
+fn utf16_without_mark(bytes: &[u8]) -> Option<NotText> {
     let (pairs, _) = bytes.as_chunks::<2>();
-    [0, 1].into_iter().any(|place| {
+    let has_high_bytes = |place: usize| {
         let zeros = pairs.iter().filter(|pair| pair[place] == 0).count();
         let others = pairs.iter().filter(|pair| pair[1 - place] == 0).count();
         2 * zeros > pairs.len() && others == 0
-    })
+    };
+    let encodings = [(0, "BigEndianUnicode"), (1, "Unicode")];
+    let found = encodings.iter().find(|(place, _)| has_high_bytes(*place));
+    found.map(|&(_, encoding)| NotText::Utf16WithoutMark { encoding })
 }
 
 fn line_of(bytes: &[u8], at: usize) -> usize {

@@ -1,6 +1,6 @@
 //! Sequences: journeys, or a disk that moves, as numbered pictures.
 
-use lightfall_core::numbers::with_decimal_point;
+use lightfall_core::numbers::number_with_comma;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
@@ -69,7 +69,7 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
         .filter(|rate: &f64| (least..=most).contains(rate));
     rate.ok_or_else(|| {
         let allowed = format!("it must be a number from {least} to {most}, in frames per second");
-        match with_decimal_point(text) {
+        match number_with_comma(text) {
             Some(meant) => format!("{allowed}; did you mean {meant}?"),
             None => allowed,
         }

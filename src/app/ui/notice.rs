@@ -10,6 +10,7 @@ use crate::app::ui::screen::{Screen, show_placed, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
 use egui::RichText;
+use lightfall_core::scene::Scene;
 use lightfall_render::CurrentScene;
 
 /// Sizes of the two lines, in points.
@@ -45,10 +46,27 @@ fn show_notice(
         let text = way_out(is_inside(&scene), &bindings);
         draw(context, layout, "The hole fills the view", &text);
     } else if scene.view.shows_light() && !scene.shines() {
-        let [disk, sky] = ["scene.disk", "scene.sky"].map(|id| bindings.first_label(id));
-        let text = format!("{disk} shows the disk  ·  {sky} shows the sky");
+        let text = way_to_light(&scene, &bindings);
         draw(context, layout, "Nothing shines here", &text);
     }
+}
+
+/// The keys that bring light. A key helps only where the brightness is not zero.
+fn way_to_light(scene: &Scene, bindings: &Bindings) -> String {
+    let lights = [
+        ("scene.disk", "disk", scene.disk.brightness),
+        ("scene.sky", "sky", scene.sky.brightness),
+    ];
+    let keys: Vec<_> = lights
+        .into_iter()
+        .filter(|(_, _, brightness)| *brightness > 0.0)
+        .map(|(id, name, _)| format!("{} shows the {name}", bindings.first_label(id)))
+        .collect();
+    if keys.is_empty() {
+        let panel = bindings.first_label("window.panel");
+        return format!("The brightness of disk and sky is 0: {panel} opens the panel");
+    }
+    keys.join("  ·  ")
 }
 
 /// The keys that lead out of a black picture.

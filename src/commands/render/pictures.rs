@@ -1,7 +1,7 @@
 //! The pictures that a command line asks for: one, or the frames of a sequence.
 
 use crate::commands::cli::RenderArgs;
-use crate::commands::scene::{drawable, journey};
+use crate::commands::scene::{NO_JOURNEY, drawable, journey};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
@@ -10,9 +10,6 @@ use lightfall_picture::{Format, Frames, Sequence};
 use lightfall_platform::log::say;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-
-/// The word that stands for no journey.
-pub(super) const NO_JOURNEY: &str = "none";
 
 pub(super) fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
     let journey = match args.journey.as_deref() {

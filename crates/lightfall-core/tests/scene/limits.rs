@@ -53,8 +53,14 @@ fn a_refusal_names_the_other_fields_that_limit_the_field() {
             "disk.inner = 11 is refused: it must be a number above 0 and below 11 r_s (disk.outer is 11)",
         ),
         (
+            "disk.inner = 5\ndisk.outer = 4",
+            "disk.inner = 5 is refused: it must be a number above 0 and below 4 r_s (disk.outer is 4)",
+        ),
+        (
+            // No inner edge makes this outer edge possible.
             "disk.outer = 2.5",
-            "disk.outer = 2.5 is refused together with disk.inner = 3, which must then be a number above 0 and below 2.5 r_s",
+            "disk.outer = 2.5 is refused: it must be a number above 3 and at most 1000000 r_s (the innermost stable circular \
+             orbit at hole.spin = 0)",
         ),
         (
             // 6M: Bardeen, Press & Teukolsky 1972 eq. 2.21.
@@ -160,8 +166,8 @@ fn the_value_that_was_set_last_is_blamed() {
         }
     );
     assert_eq!(
-        sentence(&["disk.outer=2"]),
-        "--set: disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
+        sentence(&["disk.inner=5", "disk.outer=4"]),
+        "--set: disk.outer = 4 is refused together with disk.inner = 5, which must then be a number above 0 and below 4 r_s"
     );
     // The edge that follows the innermost stable orbit does not need disk.inner, which is 3.
     let near = ["hole.spin=0.9", "disk.follow_isco=true", "disk.outer=2"];
@@ -202,7 +208,15 @@ fn changing_one_field_of_a_scene_blames_that_field() {
         |key: &str, value: f64| scene.with([(key, value.into())]).unwrap_err().to_string();
     assert_eq!(
         refused("disk.outer", 2.0),
-        "disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
+        "disk.outer = 2 is refused: it must be a number above 3 and at most 1000000 r_s (the innermost stable circular \
+         orbit at hole.spin = 0)"
+    );
+    let wide = scene.with([("disk.inner", 5.0.into())]).unwrap();
+    assert_eq!(
+        wide.with([("disk.outer", 4.0.into())])
+            .unwrap_err()
+            .to_string(),
+        "disk.outer = 4 is refused together with disk.inner = 5, which must then be a number above 0 and below 4 r_s"
     );
     assert_eq!(
         refused("disk.inner", 12.0),

@@ -270,6 +270,12 @@ fn a_decimal_comma_leads_to_the_number_that_was_meant() {
         ("camera.r=2,5", "2.5"),
         ("hole.spin=-0,5", "-0.5"),
         ("camera.yaw_deg=,5", ".5"),
+        ("camera.r=1,000", "1.000 or 1000"),
+        ("camera.r=1,000,000", "1000000"),
+        ("camera.r=0,125", "0.125"),
+        ("disk.waves=24,0", "24"),
+        ("quality.max_steps=1,024", "1024"),
+        ("observer.velocity=0,5,0,0", "decimal points, as in 0.5,0,0"),
     ] {
         let error = set(assignment);
         let hint = format!("; did you mean {meant}?");

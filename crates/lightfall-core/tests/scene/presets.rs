@@ -58,7 +58,7 @@ fn an_override_that_a_preset_does_not_allow_is_blamed() {
         .unwrap_err()
         .to_string();
     assert!(
-        error.starts_with("--set: disk.outer = 1 is refused together with disk.inner = 3"),
+        error.starts_with("--set: disk.outer = 1 is refused: it must be a number above 3 "),
         "{error}"
     );
 }

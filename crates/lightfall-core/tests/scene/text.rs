@@ -26,12 +26,19 @@ fn utf_8_and_utf_16_with_a_byte_order_mark_give_the_same_text() {
 
 #[test]
 fn another_encoding_is_named() {
-    for bytes in [u16::to_le_bytes, u16::to_be_bytes] {
+    let orders: [(fn(u16) -> [u8; 2], _); 2] = [
+        (u16::to_le_bytes, "Unicode"),
+        (u16::to_be_bytes, "BigEndianUnicode"),
+    ];
+    for (bytes, encoding) in orders {
         assert_eq!(
             decode(utf16("a = 1\n", bytes)),
-            Err(NotText::Utf16WithoutMark)
+            Err(NotText::Utf16WithoutMark { encoding })
         );
-        assert_eq!(decode(utf16(TEXT, bytes)), Err(NotText::Utf16WithoutMark));
+        assert_eq!(
+            decode(utf16(TEXT, bytes)),
+            Err(NotText::Utf16WithoutMark { encoding })
+        );
     }
     let utf32: Vec<u8> = "\u{feff}a"
         .chars()

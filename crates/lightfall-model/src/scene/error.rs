@@ -2,7 +2,7 @@
 
 use super::fields::field;
 use super::range::Kind;
-use crate::numbers::with_decimal_point;
+use crate::numbers::{integer_with_comma, number_with_comma};
 use std::fmt;
 use thiserror::Error;
 
@@ -65,10 +65,21 @@ impl fmt::Display for Refusal {
 }
 
 impl Refusal {
-    /// The number that was probably meant by a text.
+    /// The number that was probably meant by a text with commas.
     fn meant(&self) -> Option<String> {
-        let is_number = field(self.key).is_some_and(|field| matches!(field.kind, Kind::Float(_)));
-        with_decimal_point(self.given.trim_matches('"')).filter(|_| is_number)
+        let text = self.given.trim_matches('"');
+        match field(self.key)?.kind {
+            Kind::Float(_) => number_with_comma(text),
+            Kind::Integer(_) => integer_with_comma(text),
+            // Decimal commas make more numbers of three.
+            Kind::Velocity => {
+                let count = text.trim_matches(['[', ']']).split(',').count();
+                (4..=6)
+                    .contains(&count)
+                    .then(|| "decimal points, as in 0.5,0,0".into())
+            }
+            _ => None,
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use super::error::{Refusal, SceneFault};
 use super::field::Field;
 use super::range::{Kind, number};
 use super::value::{Value, quoted};
-use crate::numbers::with_decimal_point;
+use crate::numbers::number_with_comma;
 use toml::Table;
 
 impl Field {
@@ -100,7 +100,7 @@ fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
     let message = one_line(error.message());
     let line = text[line_start..].lines().next().unwrap_or_default();
     let value = line.split_once('=').map(|(_, value)| value.trim());
-    let meant = value.and_then(with_decimal_point);
+    let meant = value.and_then(number_with_comma);
     SceneFault::Syntax {
         line: 1 + before.matches('\n').count(),
         column: 1 + before[line_start..].chars().count(),

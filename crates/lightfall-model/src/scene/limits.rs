@@ -55,7 +55,8 @@ impl Scene {
                 (Range { low, ..range }, Some(because))
             }
             // The edge follows the innermost stable orbit otherwise, whatever disk.inner says.
-            "disk.inner" if !self.disk.follow_isco && EDGE.contains(self.disk.outer) => {
+            // An outer edge that is refused itself limits nothing.
+            "disk.inner" if !self.disk.follow_isco && self.has_outer_edge() => {
                 let high = Excluded(self.disk.outer);
                 let reason = format!("disk.outer is {}", number(self.disk.outer));
                 let keys = ["disk.outer", "disk.follow_isco"];
@@ -97,6 +98,12 @@ impl Scene {
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
             _ => (range, None),
         }
+    }
+
+    /// Whether the disk's outer edge is allowed, whatever the inner one is.
+    fn has_outer_edge(&self) -> bool {
+        let outer = self.disk.outer;
+        EDGE.contains(outer) && (!self.disk.enabled || outer > self.kerr().isco())
     }
 
     /// The disk's inner edge: `disk.inner`, or the innermost stable circular orbit where that lies
