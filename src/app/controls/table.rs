@@ -122,7 +122,7 @@ pub const CONTROLS: &[Control] = controls! {
         "picture.levels" [KeyV] "posterise" Edit(SwitchOff("picture.levels", &Value::Integer(ALL_LEVELS as i64))), statement::tones;
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(Expose(EXPOSURE_STEP)), statement::exposure_in_words;
         "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(Expose(-EXPOSURE_STEP)), statement::exposure_in_words;
-        "picture.compare" [Digit0] "side by side: pin the left half; two whole pictures" Do(AppCommand::Compare);
+        "picture.compare" [Digit0] "side by side; two whole pictures" Do(AppCommand::Compare);
         "picture.difference" Shift + [Digit0] "difference of the sides, amplified" Do(AppCommand::Difference);
         "picture.automatic_exposure" [F9] "automatic exposure" Edit(Flip("picture.automatic_exposure")), statement::exposure_in_words;
     }
