@@ -53,7 +53,10 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     }
     if let Some(file) = journey_file {
         let captions = journey.captions.iter().map(|caption| &caption.text);
-        note_lacking(file.display(), captions.chain([&journey.title]));
+        note_lacking(
+            file.display(),
+            captions.chain([&journey.title, &journey.ending]),
+        );
     }
     if let Some(file) = &args.scene.stars {
         let names = stars.names().iter().map(|star| &star.name);

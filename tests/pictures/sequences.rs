@@ -168,7 +168,7 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
             Path::new(file)
         );
     }
-    assert_eq!(sequence("a.png", "0..9", 24.0).end(), Some(116.0 * 24.0));
+    assert_eq!(sequence("a.png", "0..9", 24.0).end(), Some(132.0 * 24.0));
     assert_eq!(
         sequence("my out/100%-##.png", "5..9", 23.976).ffmpeg(960, 540),
         "ffmpeg -framerate 23.976 -start_number 5 -i 'my out/100%%-%02d.png' \

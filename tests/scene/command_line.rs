@@ -524,7 +524,7 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
             .to_string()
             .contains("--journey is for flying")
     );
-    assert_eq!(commands::journey(None, &preset()).unwrap().duration, 116.0);
+    assert_eq!(commands::journey(None, &preset()).unwrap().duration, 132.0);
     assert!(
         commands::journey(Some(&file), &preset())
             .unwrap_err()

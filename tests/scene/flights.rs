@@ -72,7 +72,7 @@ fn a_journey_starts_gently_from_anywhere_and_reaches_its_end_without_a_jump() {
                 break;
             }
         }
-        assert!((115.0..117.0).contains(&(f64::from(frames) * FRAME)));
+        assert!((131.0..133.0).contains(&(f64::from(frames) * FRAME)));
         assert_eq!(scene.camera.r < 1.0, kind == ObserverKind::Rain);
         assert!(!player.is_playing() && player.advance(FRAME, &scene, false) == FlightStep::Idle);
     }
@@ -363,6 +363,21 @@ fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_picture_and_says_why() 
 }
 
 #[test]
+fn a_journey_ends_with_its_own_words() {
+    let words = |text: &str| {
+        let keyframes = "\n[[keyframe]]\ntime = 0\nr = 12\n[[keyframe]]\ntime = 9\nr = 10";
+        let journey = journey::load("mine.toml", &format!("{text}{keyframes}")).unwrap();
+        JourneyPlayer::new(journey).last_words().map(str::to_owned)
+    };
+    assert_eq!(
+        words("title = \"Lesson 1\"\nending = \" Now draw the ring. \""),
+        ["Lesson 1", "Now draw the ring."]
+    );
+    assert_eq!(words("title = \"Lesson 2\""), ["Lesson 2", ""]);
+    assert_eq!(words(""), ["The journey ends here", ""]);
+}
+
+#[test]
 fn a_flight_stands_still_while_the_machine_sleeps() {
     let night = 8.0 * 3600.0;
     let mut scene = preset("edge-on");
@@ -371,7 +386,7 @@ fn a_flight_stands_still_while_the_machine_sleeps() {
     for _ in 0..600 {
         scene = next(player.advance(FRAME, &scene, false));
     }
-    assert_eq!(player.progress(), "9 of 116 s");
+    assert_eq!(player.progress(), "9 of 132 s");
     let (time, before) = (player.time(), scene.clone());
     scene = next(player.advance(night, &scene, false));
     assert!(
@@ -403,7 +418,7 @@ fn a_journey_that_cannot_be_flown_to_its_end_is_reported_at_once_and_flown_as_fa
     player.start(&scene);
     let fault = player.check(&scene).unwrap_err();
     assert!(
-        fault.place.starts_with("keyframe 10 ")
+        fault.place.starts_with("keyframe 11 ")
             && fault.reason.contains("camera.r = 0.3 is refused"),
         "{fault}"
     );

@@ -14,33 +14,25 @@ pub fn short_number(number: f64) -> String {
     }
 }
 
-/// The number that was probably meant by a text with commas: a decimal comma is a point, and commas
-/// between groups of three digits are nothing. `2,5` is `2.5`, `1,000,000` is `1000000`, and `1,000`
-/// may be either. `None` for other texts.
-pub fn number_with_comma(text: &str) -> Option<String> {
-    let is_number = |text: &String| text.parse::<f64>().is_ok();
-    let pointed = Some(text.replacen(',', ".", 1)).filter(is_number);
+/// The numbers that may be meant by a text with commas and that are `allowed`, in words: a decimal comma
+/// is a point, and commas between groups of three digits are nothing. `2,5` is `2.5`, `1,000,000` is
+/// `1000000`, and `1,000` is `1.000 or 1000`. `None` if there is no such number.
+pub fn number_with_comma(text: &str, allowed: impl Fn(f64) -> bool) -> Option<String> {
+    if !text.contains(',') {
+        return None;
+    }
     let mut groups = text.split(',');
     let leading = groups.next()?.trim_start_matches(['-', '+']);
     let are_thousands = (1..=3).contains(&leading.len())
         && !leading.starts_with('0')
         && groups.all(|group| group.len() == 3);
-    let whole = Some(text.replace(',', "")).filter(|whole| are_thousands && is_number(whole));
-    match (pointed, whole) {
-        _ if !text.contains(',') => None,
-        (Some(pointed), Some(whole)) => Some(format!("{pointed} or {whole}")),
-        (pointed, whole) => pointed.or(whole),
-    }
-}
-
-/// As [`number_with_comma`], where only a whole number is allowed: `24,0` is `24`, and `1,000` is
-/// `1000`.
-pub fn integer_with_comma(text: &str) -> Option<String> {
-    let meant = number_with_comma(text)?;
-    let last = meant.rsplit(' ').next()?;
-    let whole = last.trim_end_matches('0').strip_suffix('.');
-    let integer = whole.unwrap_or(last);
-    integer.parse::<i64>().is_ok().then(|| integer.to_owned())
+    let whole = are_thousands.then(|| text.replace(',', ""));
+    let meant: Vec<_> = [Some(text.replacen(',', ".", 1)), whole]
+        .into_iter()
+        .flatten()
+        .filter(|text| text.parse().is_ok_and(&allowed))
+        .collect();
+    (!meant.is_empty()).then(|| meant.join(" or "))
 }
 
 /// A number of things, e.g. `1 ray` or `2 rays`.

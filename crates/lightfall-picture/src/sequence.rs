@@ -69,7 +69,7 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
         .filter(|rate: &f64| (least..=most).contains(rate));
     rate.ok_or_else(|| {
         let allowed = format!("it must be a number from {least} to {most}, in frames per second");
-        match number_with_comma(text) {
+        match number_with_comma(text, |rate| (least..=most).contains(&rate)) {
             Some(meant) => format!("{allowed}; did you mean {meant}?"),
             None => allowed,
         }

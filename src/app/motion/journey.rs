@@ -11,7 +11,6 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
-use lightfall_core::scene::Scene;
 
 /// Seconds by which one press goes ahead or back.
 const SKIP: f64 = 5.0;
@@ -123,29 +122,9 @@ pub(super) fn advance_journey(
             editor.fly(&next);
             let again = ("journey.again", "fly it again");
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
-            end_card.show("The journey ends here", &ending(&next), again, fall);
+            let [title, ending] = player.last_words();
+            end_card.show(title, ending, again, fall);
         }
         FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
-    }
-}
-
-/// Where a journey has ended, for the end card.
-fn ending(scene: &Scene) -> String {
-    let (r, horizon) = (scene.camera.r, scene.kerr().horizon());
-    let observer = scene.observer.kind.properties();
-    if r < horizon {
-        format!(
-            "You are inside the horizon, at {r:.2} r_s from the centre. Light still comes in from \
-             outside, but nothing you send gets out, and every way leads farther in."
-        )
-    } else if observer.falls_freely {
-        format!(
-            "You are falling, at {r:.2} r_s from the centre. The horizon is at {horizon:.2} r_s."
-        )
-    } else {
-        format!(
-            "You are at {r:.2} r_s from the centre, and the horizon is at {horizon:.2} r_s. Closer \
-             to the horizon, staying in place takes ever more thrust, without limit."
-        )
     }
 }

@@ -93,6 +93,16 @@ impl JourneyPlayer {
         (self.time / self.journey.duration).clamp(0.0, 1.0)
     }
 
+    /// The title and the text of the card at the end.
+    #[must_use]
+    pub fn last_words(&self) -> [&str; 2] {
+        let title = match self.journey.title.trim() {
+            "" => "The journey ends here",
+            title => title,
+        };
+        [title, &self.journey.ending]
+    }
+
     /// What to show over the picture now: the title at the beginning, then the captions, with the
     /// seconds since it appeared and until it goes. None without a flight.
     #[must_use]

@@ -75,6 +75,7 @@ impl SceneEditor<'_> {
     }
 
     /// As [`picture_at_rest`](Self::picture_at_rest), in a window without panels.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn picture_without_panels(&self) -> Picture {
         self.resolution
             .at_rest_without_panels(&self.scene().picture)

@@ -55,8 +55,10 @@ fn show_end_card(
             let text =
                 |text: &str, size: f32, colour| egui::RichText::new(text).size(size).color(colour);
             ui.label(text(&end_card.title, 22.0, white));
-            ui.add_space(6.0);
-            ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
+            if !end_card.text.is_empty() {
+                ui.add_space(6.0);
+                ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
+            }
             ui.add_space(12.0);
             egui::Grid::new("ways")
                 .num_columns(2)

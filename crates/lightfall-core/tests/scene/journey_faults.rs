@@ -21,15 +21,19 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             "speed = 3".into(),
-            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
             "title = \"a\"\n[camera]\nr = 3".into(),
-            "j.toml: camera belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: camera belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+        ),
+        (
+            "ending = 3".into(),
+            "j.toml: ending = 3 is refused: it must be one line of text, from 1 to 160 characters long",
         ),
         (
             "keyframe = 3".into(),
-            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
             "preset = \"nowhere\"".into(),

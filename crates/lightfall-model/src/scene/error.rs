@@ -2,7 +2,7 @@
 
 use super::fields::field;
 use super::range::Kind;
-use crate::numbers::{integer_with_comma, number_with_comma};
+use crate::numbers::number_with_comma;
 use std::fmt;
 use thiserror::Error;
 
@@ -69,8 +69,13 @@ impl Refusal {
     fn meant(&self) -> Option<String> {
         let text = self.given.trim_matches('"');
         match field(self.key)?.kind {
-            Kind::Float(_) => number_with_comma(text),
-            Kind::Integer(_) => integer_with_comma(text),
+            Kind::Float(range) => number_with_comma(text, |number| range.contains(number)),
+            Kind::Integer(range) => {
+                let allowed = |number: f64| number.fract() == 0.0 && range.contains(number);
+                let meant = number_with_comma(text, allowed)?;
+                let whole = meant.trim_end_matches('0').strip_suffix('.');
+                Some(whole.unwrap_or(&meant).to_owned())
+            }
             // Decimal commas make more numbers of three.
             Kind::Velocity => {
                 let count = text.trim_matches(['[', ']']).split(',').count();

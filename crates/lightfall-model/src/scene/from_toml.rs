@@ -100,7 +100,7 @@ fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
     let message = one_line(error.message());
     let line = text[line_start..].lines().next().unwrap_or_default();
     let value = line.split_once('=').map(|(_, value)| value.trim());
-    let meant = value.and_then(number_with_comma);
+    let meant = value.and_then(|value| number_with_comma(value, |_| true));
     SceneFault::Syntax {
         line: 1 + before.matches('\n').count(),
         column: 1 + before[line_start..].chars().count(),

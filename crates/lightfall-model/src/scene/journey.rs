@@ -38,6 +38,8 @@ pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml
 pub struct Journey {
     /// One line that says where the flight leads.
     pub title: String,
+    /// What the card at the end says. Empty: the title alone.
+    pub ending: String,
     /// The built-in preset in which the window flies it. None: the scene that is shown.
     pub preset: Option<&'static Preset>,
     /// What to say about it on the way, in order of time.

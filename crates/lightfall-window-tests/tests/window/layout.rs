@@ -23,16 +23,17 @@ const OPENED: [&[&str]; 7] = [
     &["i"],
     &["p"],
 ];
-/// The keys that close it.
-const CLOSED: [&str; 8] = ["p", "i", "0", "l", "b", "shift+g", "F10", "z"];
+/// The keys that close it; side by side is followed by two pictures.
+const CLOSED: [&str; 9] = ["p", "i", "0", "0", "l", "b", "shift+g", "F10", "z"];
 /// Widths of the inspector and of the panel, and the least width beside them, in points.
 const INSPECTOR: f32 = 390.0;
 const PANEL: f32 = 420.0;
 const MIN_PICTURE: f32 = 150.0;
-/// A journey with one caption.
+/// A journey with one caption and an ending.
 const JOURNEY: &str = r#"
 schema = 1
 title = "Down"
+ending = "Here the ring is thin."
 keyframe = [{ time = 0, r = 20 }, { time = 30, r = 15 }]
 [[caption]]
 time = 4.6
@@ -160,7 +161,9 @@ fn captions_the_end_card_and_the_whole_menu_have_room_in_small_windows() {
     assert_shown("journey");
     desktop.press("slash");
     press_all(&desktop, &["shift+Right"; 5]);
-    desktop.wait_for("the end card", |state| state.shows("The journey ends here"));
+    desktop.wait_for("the end card", |state| {
+        state.shows("Here the ring is thin.")
+    });
     assert_shown("end card");
     desktop.press("Escape");
 

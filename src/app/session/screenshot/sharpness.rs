@@ -25,6 +25,7 @@ pub(super) fn await_sharp_picture(
 }
 
 /// A run condition: the window is captured in this frame.
+#[cfg(not(target_arch = "wasm32"))]
 pub(super) fn is_taken(shot: Res<WindowShot>) -> bool {
     *shot == WindowShot::Taken
 }

@@ -71,24 +71,27 @@ fn read(
                 refused("seconds", Some(value), allowed)
             })?,
     };
-    let fits = |text: &&str| {
-        !text.is_empty()
-            && text.chars().count() <= MAX_CAPTION_CHARS
-            && !text.chars().any(char::is_control)
-    };
     let line = text
         .as_ref()
-        .and_then(toml::Value::as_str)
-        .map(str::trim)
-        .filter(fits)
-        .ok_or_else(|| {
-            let allowed =
-                format!("one line of text, from 1 to {MAX_CAPTION_CHARS} characters long");
-            refused("text", text.as_ref(), allowed)
-        })?;
+        .and_then(line)
+        .ok_or_else(|| refused("text", text.as_ref(), allowed_line()))?;
     Ok(Caption {
         time: appears - start,
         seconds: stays,
-        text: line.into(),
+        text: line,
     })
+}
+
+/// The line of text that a caption or a journey's ending may be.
+pub(super) fn line(value: &toml::Value) -> Option<String> {
+    let text = value.as_str()?.trim();
+    let fits = !text.is_empty()
+        && text.chars().count() <= MAX_CAPTION_CHARS
+        && !text.chars().any(char::is_control);
+    fits.then(|| text.to_owned())
+}
+
+/// What [`line`] accepts, in words.
+pub(super) fn allowed_line() -> String {
+    format!("one line of text, from 1 to {MAX_CAPTION_CHARS} characters long")
 }

@@ -23,14 +23,17 @@ pub enum Fault {
     Text(#[from] SceneFault),
     /// A key at the top level that is unknown, or has a value of the wrong type.
     #[error(
-        "{key} = {given} is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
+        "{key} = {given} is refused: a journey has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     Top { key: String, given: String },
     /// A key at the top level that is a field of scenes, or a table of them.
     #[error(
-        "{key} belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
+        "{key} belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     FieldOfScenes { key: String },
+    /// An ending that is no line of text.
+    #[error("ending = {given} is refused: it must be {allowed}")]
+    Ending { given: String, allowed: String },
     /// A preset that is not one of the built-in ones.
     #[error(
         "preset = {given} is refused: it must be the name or the number of a built-in preset: {}",

@@ -1,7 +1,7 @@
 //! From the text of a journey to the journey.
 
 use super::Journey;
-use super::caption::read_captions;
+use super::caption::{allowed_line, line, read_captions};
 use super::clock::Clock;
 use super::error::{Fault, JourneyError};
 use super::format::MAX_KEYFRAMES;
@@ -29,13 +29,19 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
 
 /// The journey that a TOML table describes.
 fn journey(table: Table) -> Result<Journey, Fault> {
-    let (mut title, mut preset) = (String::new(), None);
+    let (mut title, mut ending, mut preset) = (String::new(), String::new(), None);
     let (mut frames, mut captions) = (Vec::new(), Vec::new());
     for (key, value) in table {
         match (key.as_str(), value) {
             ("schema", toml::Value::Integer(_)) => {}
             ("title", value @ toml::Value::String(_)) if is_title(&value) => {
                 title = value.as_str().unwrap_or_default().into();
+            }
+            ("ending", value) => {
+                ending = line(&value).ok_or_else(|| Fault::Ending {
+                    given: given(&value),
+                    allowed: allowed_line(),
+                })?;
             }
             ("preset", value) => preset = Some(read_preset(&value)?),
             ("keyframe", toml::Value::Array(values))
@@ -78,6 +84,7 @@ fn journey(table: Table) -> Result<Journey, Fault> {
     };
     Ok(Journey {
         title,
+        ending,
         preset,
         captions: read_captions(captions, [start, end])?,
         duration: end - start,
