@@ -3,10 +3,6 @@
 //
 // Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
 
-// The reference star: temperature in kelvin, brightness, and angular radius, a quarter of a degree.
-const REFERENCE_TEMPERATURE: f32 = 8000.0;
-const REFERENCE_BRIGHTNESS: f32 = 4.0;
-const REFERENCE_RADIUS: f32 = 0.00436332;
 // The largest radius of the image of a star or line: the charts of stars leave this much room
 // around every star.
 const MAX_SPOT_RADIUS: f32 = 0.008;
@@ -23,21 +19,9 @@ fn spot_profile(distance2: f32, radius: f32) -> f32 {
     return inside * inside * inside;
 }
 
-fn reference_star_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
-    let offset = direction - scene.sky.reference_star;
-    let share = clamp((REFERENCE_RADIUS - length(offset)) / (0.25 * REFERENCE_RADIUS), 0.0, 1.0);
-    if share == 0.0 {
-        return vec3<f32>(0.0);
-    }
-    return thermal_colour(REFERENCE_TEMPERATURE * g) * (REFERENCE_BRIGHTNESS * share);
-}
-
 // The footprint is the difference of the direction from those of neighbouring rays.
 fn sky_light(direction: vec3<f32>, shift: f32, footprint: Footprint) -> vec3<f32> {
     let g = min(shift, 1e6);
-    var light = sky_background(direction, g, footprint);
-    if REFERENCE_STAR {
-        light += reference_star_light(direction, g);
-    }
+    let light = sky_background(direction, g, footprint) + reference_star_light(direction, g, footprint);
     return light * (beaming_factor(g) * scene.sky.brightness);
 }

@@ -17,10 +17,18 @@ struct Work {
     fine: atomic<u32>,
 }
 
+// What is looked for.
+struct Search {
+    // The scene's columns of the picture: the first, and the one after the last. A comparison shows
+    // another scene on the other side of its divider.
+    columns: vec2<u32>,
+    // Whether the frame has to be drawn quickly (1) or not (0): each kind of edge then gets the rays of
+    // the next softer kind, and the softest gets none.
+    quick: u32,
+}
+
 @group(0) @binding(BINDING_TRAITS) var traits: Traits;
-// The scene's columns of the picture: the first, and the one after the last. A comparison shows
-// another scene on the other side of its divider.
-@group(0) @binding(BINDING_COLUMNS) var<uniform> columns: vec2<u32>;
+@group(0) @binding(BINDING_SEARCH) var<uniform> search: Search;
 @group(0) @binding(BINDING_WORK) var<storage, read_write> work: Work;
 @group(0) @binding(BINDING_LIST) var<storage, read_write> list: array<u32>;
 
@@ -54,9 +62,9 @@ fn traits_at(at: vec2<u32>) -> vec2<u32> {
 
 // The scene's outermost pixels are repeated beyond its border.
 fn row_at(at: vec2<u32>) -> Row {
-    let left = traits_at(vec2<u32>(max(at.x, columns.x + 1u) - 1u, at.y));
+    let left = traits_at(vec2<u32>(max(at.x, search.columns.x + 1u) - 1u, at.y));
     let middle = traits_at(at);
-    let right = traits_at(vec2<u32>(min(at.x + 1u, columns.y - 1u), at.y));
+    let right = traits_at(vec2<u32>(min(at.x + 1u, search.columns.y - 1u), at.y));
     let seen = vec3<u32>(left.x, middle.x, right.x);
     let bits = (vec3<u32>(1u) << seen) & vec3<u32>(~(1u << NO_CLASS));
     let brightness = vec3<i32>(i32(left.y), i32(middle.y), i32(right.y));
@@ -108,49 +116,62 @@ fn add_group() {
     }
 }
 
-// `hard`: whether the pixel lies at an edge, rather than where brightness only curves.
-fn mark(pixel: u32, classes: u32, hard: bool) {
-    if passes_shadow(classes) {
+// The kinds of edges, from the softest.
+const NO_EDGE: u32 = 0u;
+const BENT: u32 = 1u;
+const HARD: u32 = 2u;
+const SHADOW: u32 = 3u;
+
+// Adds a pixel to the list of its rays.
+fn mark(pixel: u32, kind: u32) {
+    if kind == SHADOW {
         let place = atomicAdd(&work.fine, 1u);
         list[arrayLength(&list) - 1u - place] = pixel;
         add_group();
-        return;
-    }
-    if hard {
+    } else if kind == HARD {
         let place = atomicAdd(&work.coarse, 1u);
         list[place] = pixel;
         if place % COARSE_PIXELS == 0u {
             add_group();
         }
-        return;
+    } else if kind == BENT {
+        let place = atomicAdd(&work.bent, 1u);
+        list[arrayLength(&list) / 2u + place] = pixel;
+        if place % BENT_PIXELS == 0u {
+            add_group();
+        }
     }
-    let place = atomicAdd(&work.bent, 1u);
-    list[arrayLength(&list) / 2u + place] = pixel;
-    if place % BENT_PIXELS == 0u {
-        add_group();
+}
+
+// The kind of edge in the middle of three rows.
+fn kind_of_edge(above: Row, here: Row, lower: Row) -> u32 {
+    if here.own_class == NO_CLASS {
+        return NO_EDGE;
     }
+    let classes = above.classes | here.classes | lower.classes;
+    if passes_shadow(classes) {
+        return SHADOW;
+    }
+    let bends = largest_bend(above.brightness, here.brightness, lower.brightness);
+    let differs = countOneBits(classes) > 1u && range(above, here, lower) > MAX_STEP;
+    return select(select(NO_EDGE, BENT, bends > MAX_BEND), HARD, differs || bends > MAX_SOFT_BEND);
 }
 
 // One invocation walks down a strip of pixels, so that it reads every row only once.
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn edges(@builtin(global_invocation_id) id: vec3<u32>) {
     let size = textureDimensions(traits);
-    let x = columns.x + id.x;
+    let x = search.columns.x + id.x;
     let top = id.y * STRIP;
-    if x >= columns.y || top >= size.y {
+    if x >= search.columns.y || top >= size.y {
         return;
     }
     var above = row_at(vec2<u32>(x, max(top, 1u) - 1u));
     var here = row_at(vec2<u32>(x, top));
     for (var y = top; y < min(top + STRIP, size.y); y++) {
         let lower = row_at(vec2<u32>(x, min(y + 1u, size.y - 1u)));
-        let classes = above.classes | here.classes | lower.classes;
-        let bends = largest_bend(above.brightness, here.brightness, lower.brightness);
-        let hard = bends > MAX_SOFT_BEND
-            || countOneBits(classes) > 1u && range(above, here, lower) > MAX_STEP;
-        if here.own_class != NO_CLASS && (hard || bends > MAX_BEND || passes_shadow(classes)) {
-            mark(y * size.x + x, classes, hard);
-        }
+        let kind = kind_of_edge(above, here, lower);
+        mark(y * size.x + x, kind - min(kind, search.quick));
         above = here;
         here = lower;
     }

@@ -1,5 +1,5 @@
-// REFINE: traces a regular grid of rays through each marked pixel and writes the mean of their
-// light. A workgroup refines sixteen pixels with 4 rays each, four with 16, or one with 64.
+// REFINE: traces a turned grid of rays through each marked pixel and writes the mean of their light.
+// A workgroup refines sixteen pixels with 4 rays each, four with 16, or one with 64.
 //
 // Gives: refine.
 
@@ -17,6 +17,15 @@ struct Work {
 @group(1) @binding(BINDING_WORK) var<storage, read> work: Work;
 @group(1) @binding(BINDING_LIST) var<storage, read> list: array<u32>;
 @group(1) @binding(BINDING_PICTURE) var picture: texture_storage_2d<rgba16float, write>;
+
+// The place of a ray within its pixel. The grid is turned, so that no two rays have the same row or
+// column: thin upright or level lines, such as the rings at the shadow's edge, meet as many rays as
+// slanting ones. The offset of the frame moves each ray within its own cell of the grid.
+fn place_in_grid(cell: vec2<u32>, side: u32) -> vec2<f32> {
+    let turned = vec2<f32>(f32(cell.y), f32(side - 1u - cell.x)) + 0.5;
+    let within = fract(turned / f32(side) + scene.picture.offset);
+    return (vec2<f32>(cell) + within) / f32(side);
+}
 
 var<workgroup> lights: array<vec4<f32>, WORKGROUP_SIZE>;
 
@@ -37,10 +46,10 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     let side = select(select(4u, 8u, fine), 2u, bent);
     let rays = side * side;
     // A lane without a pixel traces the last one and writes nothing: all lanes must reach barriers.
-    let own_place = (index - first_group) * (WORKGROUP_SIZE / rays) + lane / rays;
-    let place = min(own_place, max(count, 1u) - 1u);
+    let own_mark = (index - first_group) * (WORKGROUP_SIZE / rays) + lane / rays;
+    let mark = min(own_mark, max(count, 1u) - 1u);
     let length = arrayLength(&list);
-    let at = list[select(select(place, length - 1u - place, fine), length / 2u + place, bent)];
+    let at = list[select(select(mark, length - 1u - mark, fine), length / 2u + mark, bent)];
     let width = max(textureDimensions(picture).x, 1u);
     let pixel = vec2<u32>(at % width, at / width);
     // The same within the scene's own part of the picture.
@@ -51,14 +60,13 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     own_share = 1.0 / f32(rays);
     lane_beside = lane ^ 1u;
     lane_below = lane ^ side;
-    // The offset of the frame moves each ray within its own cell of the grid.
-    let cell = vec2<f32>(vec2<u32>(ray % side, ray / side)) + 0.5 + scene.picture.offset;
-    let seen = light_along(photon_from(pixel_direction(vec2<f32>(part) + cell / f32(side))));
+    let place = vec2<f32>(part) + place_in_grid(vec2<u32>(ray % side, ray / side), side);
+    let seen = light_along(photon_from(pixel_direction(place)));
     lights[lane] = vec4<f32>(bounded_light(seen.rgb), seen.a);
     workgroupBarrier();
 
     // One lane adds the light of a pixel's rays, always in the same order.
-    if ray == 0u && own_place < count {
+    if ray == 0u && own_mark < count {
         var sum = vec4<f32>(0.0);
         for (var i = 0u; i < rays; i++) {
             sum += lights[lane + i];

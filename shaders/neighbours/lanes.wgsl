@@ -20,7 +20,9 @@ fn differences(value: vec3<f32>) -> Footprint {
     workgroupBarrier();
     let to_the_right = select(value - lanes[lane_beside], lanes[lane_beside] - value, lane_beside > own_lane);
     let downward = select(value - lanes[lane_below], lanes[lane_below] - value, lane_below > own_lane);
-    return Footprint(to_the_right * scene.picture.footprint, downward * scene.picture.footprint);
+    // In a turned grid neighbours are farther apart than the side of the part that a ray stands for.
+    let side = scene.picture.footprint * inverseSqrt(1.0 + own_share);
+    return Footprint(to_the_right * side, downward * side);
 }
 
 fn ray_share() -> f32 {

@@ -36,6 +36,7 @@ pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
 pub use motion::zoom::zoomed;
+pub use session::adaptive_resolution::{next_share, wanted_rate};
 pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
 #[cfg(not(target_arch = "wasm32"))]
@@ -43,6 +44,7 @@ pub use session::link::command_line;
 pub use state::disk_clock::DiskClock;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
+pub use state::picture_motion::picture_motion;
 pub use state::preferences::Preferences;
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};

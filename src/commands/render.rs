@@ -65,6 +65,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let stars = stars(&args.scene)?;
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
+        moving: false,
         timed: args.timings.is_some(),
         light: format == Format::Exr,
         stars,

@@ -158,8 +158,8 @@ numbers! { ANTIALIAS_NUMBERS:
     PICTURE,
     /// The texture of classes and brightness, which EDGES reads.
     TRAITS,
-    /// The columns of the picture in which EDGES looks, a uniform.
-    COLUMNS,
+    /// Where EDGES looks and how many rays it asks for, a uniform.
+    SEARCH,
 }
 
 /// The constants of all bindings, and the size of a workgroup.

@@ -17,7 +17,8 @@ use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
 use lightfall_platform::log::quiet_log;
 use lightfall_render::{
-    AwaitErrorMap, Capture, LightfallRenderPlugin, Progress, StarCatalogue, is_drawn, render_plugin,
+    AwaitErrorMap, Capture, LightfallRenderPlugin, Progress, RestingFrames, StarCatalogue,
+    is_drawn, render_plugin,
 };
 use std::env::consts::OS;
 
@@ -34,6 +35,8 @@ pub struct HeadlessOptions {
     pub timed: bool,
     /// Keep the linear light and the depth of each picture.
     pub light: bool,
+    /// Draw pictures as a window on a software renderer does while something moves.
+    pub moving: bool,
     /// Draw these stars.
     pub stars: &'static Catalogue,
 }
@@ -43,6 +46,7 @@ impl Default for HeadlessOptions {
         Self {
             timed: false,
             light: false,
+            moving: false,
             stars: Catalogue::built_in(),
         }
     }
@@ -101,6 +105,9 @@ pub(super) fn headless(
             scene,
             target: RenderTarget::Image(output.clone().into()),
         });
+    if options.moving {
+        app.insert_resource(RestingFrames::in_motion());
+    }
     app.finish();
     app.cleanup();
     Ok((app, output))

@@ -13,7 +13,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::RenderDevice;
 use bevy::render::view::ViewTarget;
 use bevy::render::{GpuResourceAppExt, RenderApp};
-use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
+use lightfall_core::gpu::bindings::{LIST, PICTURE, SEARCH, TRAITS, WORK};
 use lightfall_core::gpu::{EdgeTraits, Edges};
 
 /// The format of what the search for edges compares: two small whole numbers.
@@ -25,8 +25,8 @@ const SHADERS: [(u32, Handle<Shader>); 2] = [
     (4, uuid_handle!("c1b6a2f7-1c3e-4c58-8f0e-7d8f5d1a9b64")),
 ];
 
-/// Size of the uniform that holds a scene's columns, in bytes.
-const COLUMNS_SIZE: u64 = 8;
+/// Size of the uniform `Search` of shaders/antialias/edges.wgsl, in bytes.
+const SEARCH_SIZE: u64 = 16;
 
 /// The passes' resources on the GPU. `None` while no edges are looked for.
 #[derive(Resource, Default)]
@@ -45,7 +45,7 @@ pub(super) struct Targets {
 
 /// The pixels of a scene that EDGES has marked.
 pub(super) struct Marks {
-    pub(super) columns: Buffer,
+    pub(super) search: Buffer,
     pub(super) work: Buffer,
     pub(super) list: Buffer,
 }
@@ -81,10 +81,10 @@ impl Targets {
         (size, samples, scenes): (UVec2, u32, usize),
     ) -> Self {
         let marks = || Marks {
-            columns: create_buffer(
+            search: create_buffer(
                 device,
-                "columns of a scene",
-                COLUMNS_SIZE,
+                "search for edges",
+                SEARCH_SIZE,
                 BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             ),
             work: create_buffer(
@@ -165,8 +165,8 @@ pub(super) fn edges_layout(samples: u32) -> BindGroupLayoutDescriptor {
             (
                 (TRAITS, traits),
                 (
-                    COLUMNS,
-                    uniform_buffer_sized(false, BufferSize::new(COLUMNS_SIZE)),
+                    SEARCH,
+                    uniform_buffer_sized(false, BufferSize::new(SEARCH_SIZE)),
                 ),
                 (WORK, storage_buffer_sized(false, None)),
                 (LIST, storage_buffer_sized(false, None)),

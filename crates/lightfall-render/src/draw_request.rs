@@ -4,7 +4,7 @@
 use crate::chain::Chain;
 use crate::comparison::{ComparedScene, ComparisonLayout};
 use crate::progress::{Drawn, Progress, SharedDrawn};
-use crate::resting_frames::RestingFrames;
+use crate::resting_frames::{QuickFrames, RestingFrames};
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::scene::{Frame, Scene};
@@ -29,8 +29,8 @@ pub(super) struct DrawRequest {
     frames: u32,
     /// Whether a frame outside the mean is drawn first.
     first_alone: bool,
-    /// Whether that frame is drawn without refined edges.
-    first_rough: bool,
+    /// Which frames refine edges with fewer rays.
+    quick: QuickFrames,
     /// How many frames draw the foreground before the first one that counts.
     foreground_frames: u32,
     number: u64,
@@ -48,7 +48,7 @@ impl DrawRequest {
         Self {
             frames,
             first_alone: resting.has_first(&chain, frames),
-            first_rough: resting.first_rough,
+            quick: resting.quick,
             foreground_frames: if chain.probe { FOREGROUND_FRAMES } else { 0 },
             scene: scene.without_presentation(),
             compared: compared.without_presentation(),
@@ -136,10 +136,13 @@ impl DrawRequest {
         }
     }
 
-    /// Whether the edges of the next frame are refined.
-    pub(super) fn refines_edges(&self) -> bool {
-        let is_first = self.first_alone && !self.drawn().begun;
-        !(is_first && self.first_rough)
+    /// Whether the edges of the next frame are refined with fewer rays.
+    pub(super) fn is_quick(&self) -> bool {
+        match self.quick {
+            QuickFrames::None => false,
+            QuickFrames::First => self.first_alone && !self.drawn().begun,
+            QuickFrames::All => true,
+        }
     }
 
     /// How far it is drawn; `ready` says whether its shaders are compiled.

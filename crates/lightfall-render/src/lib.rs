@@ -61,7 +61,7 @@ pub use drawn_scene::{CurrentFrame, CurrentScene, DrawnScene, FrameScene, draw_s
 pub use error_map::AwaitErrorMap;
 pub use live_shaders::{LiveShaders, ShaderNews};
 pub use pass_shaders::{PassShader, pass_shaders};
-pub use presentation::{Letterbox, PictureArea, ShownCells, letterbox};
+pub use presentation::{Letterbox, PictureArea, RestingSizes, letterbox};
 pub use progress::Progress;
 pub use redraw::is_drawn;
 pub use resting_frames::RestingFrames;

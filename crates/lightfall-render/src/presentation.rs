@@ -3,7 +3,7 @@
 
 mod letterbox;
 
-pub use letterbox::{Letterbox, PictureArea, letterbox};
+pub use letterbox::{Letterbox, PictureArea, RestingSizes, letterbox};
 
 use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::chain::Chain;
@@ -16,7 +16,7 @@ use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
-use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::extract_resource::ExtractResourcePlugin;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
@@ -62,11 +62,6 @@ struct LastPicture {
     bloom: bool,
 }
 
-/// The grid of cells that is shown in place of the scene's own. A window keeps its cells while it
-/// draws fewer pixels than there are cells, and they then show the picture interpolated.
-#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
-pub struct ShownCells(pub Option<UVec2>);
-
 #[derive(Resource)]
 struct PresentationPass {
     full_screen: FullScreenPass<Presentation>,
@@ -96,12 +91,8 @@ pub(super) fn plugin(app: &mut App) {
         Presentation::shader(),
         "lightfall/presentation.wgsl",
     );
-    app.init_resource::<ShownCells>()
-        .init_resource::<PictureArea>()
-        .add_plugins((
-            ExtractResourcePlugin::<ShownCells>::default(),
-            ExtractResourcePlugin::<PictureArea>::default(),
-        ));
+    app.init_resource::<PictureArea>()
+        .add_plugins(ExtractResourcePlugin::<PictureArea>::default());
     app.sub_app_mut(RenderApp)
         .add_systems(RenderStartup, create_presentation_pass)
         .add_systems(
@@ -129,7 +120,7 @@ fn create_presentation_pass(mut commands: Commands) {
 /// Writes the uniform, and creates the cells and pipelines that the settings need.
 fn prepare_presentation_pass(
     scene: Res<DrawnScene>,
-    (shown, area): (Res<ShownCells>, Res<PictureArea>),
+    area: Res<PictureArea>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
     scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
     If(mut pass): If<ResMut<PresentationPass>>,
@@ -147,7 +138,9 @@ fn prepare_presentation_pass(
     };
     // While a new scene is not drawn yet, the last picture is shown, whose size may be another.
     let size = source.main_texture().size();
-    let grid = shown.0.unwrap_or(scene.picture.grid());
+    let grid = area
+        .at_rest
+        .map_or(scene.picture.grid(), |at_rest| at_rest.grid);
     let picture = Picture {
         width: size.width,
         height: size.height,

@@ -50,7 +50,7 @@ pub(super) struct Drawn {
     pub(super) request: u64,
     /// The look of the last scene that a frame has drawn.
     pub(super) look: Option<u64>,
-    /// Whether a frame has drawn all of the request, with or without refined edges.
+    /// Whether a frame has drawn all of the request, with whatever number of rays.
     pub(super) begun: bool,
     /// How many frames in a row have drawn all of it before the first one that counts.
     pub(super) in_a_row: u32,

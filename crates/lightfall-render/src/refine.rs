@@ -18,7 +18,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
 use lightfall_core::gpu::Edges;
-use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
+use lightfall_core::gpu::bindings::{LIST, PICTURE, SEARCH, TRAITS, WORK};
 
 pub(super) fn plugin(app: &mut App) {
     app.sub_app_mut(RenderApp).add_systems(
@@ -46,7 +46,7 @@ pub(super) fn refine_edges(
     let Some(edges) = targets.edges_pipeline(&cache) else {
         return;
     };
-    if !drawn.is_drawn || !request.refines_edges() {
+    if !drawn.is_drawn {
         return;
     }
     // All frames of a mean refine the pixels that the first one has marked. Marks that depended on
@@ -59,8 +59,9 @@ pub(super) fn refine_edges(
         .map(|(refinement, marks)| {
             let (_, _, columns) = &refinement;
             if searches {
-                let ends = [columns.start, columns.end].map(u32::to_le_bytes).concat();
-                queue.write_buffer(&marks.columns, 0, &ends);
+                let quick = u32::from(request.is_quick());
+                let wanted = [columns.start, columns.end, quick, 0].map(u32::to_le_bytes);
+                queue.write_buffer(&marks.search, 0, &wanted.concat());
                 queue.write_buffer(&marks.work, 0, &search.no_work());
             }
             (refinement, marks)
@@ -80,7 +81,7 @@ pub(super) fn refine_edges(
                 &edges_layout,
                 &BindGroupEntries::with_indices((
                     (TRAITS, &targets.traits),
-                    (COLUMNS, marks.columns.as_entire_binding()),
+                    (SEARCH, marks.search.as_entire_binding()),
                     (WORK, marks.work.as_entire_binding()),
                     (LIST, marks.list.as_entire_binding()),
                 )),

@@ -16,8 +16,20 @@ pub struct RestingFrames {
     /// Whether one frame is shown before the first that is averaged, so that a picture that changes
     /// in every frame never pays for a mean.
     pub first_alone: bool,
-    /// Whether that frame is drawn without refined edges: on an adapter that takes long for them.
-    pub first_rough: bool,
+    /// Which frames refine edges with fewer rays.
+    pub quick: QuickFrames,
+}
+
+/// Which frames refine edges with fewer rays, on an adapter that takes long for them. While something
+/// moves every frame is the first of its picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QuickFrames {
+    /// None.
+    None,
+    /// The first frame of a picture.
+    First,
+    /// All of them.
+    All,
 }
 
 impl Default for RestingFrames {
@@ -26,7 +38,7 @@ impl Default for RestingFrames {
         Self {
             least: 1,
             first_alone: false,
-            first_rough: false,
+            quick: QuickFrames::None,
         }
     }
 }
@@ -39,13 +51,26 @@ impl RestingFrames {
         Self {
             least: if averages { FRAMES_AT_REST } else { 1 },
             first_alone: true,
-            first_rough: software,
+            quick: if software {
+                QuickFrames::First
+            } else {
+                QuickFrames::None
+            },
+        }
+    }
+
+    /// One frame as a window on a software renderer shows it while something moves.
+    #[must_use]
+    pub fn in_motion() -> Self {
+        Self {
+            quick: QuickFrames::All,
+            ..Self::default()
         }
     }
 
     /// Whether a frame outside the mean is drawn first, where a chain averages `frames` frames.
     pub(super) fn has_first(self, chain: &Chain, frames: u32) -> bool {
-        self.first_alone && (frames > 1 || self.first_rough && chain.antialias)
+        self.first_alone && (frames > 1 || self.quick == QuickFrames::First && chain.antialias)
     }
 
     /// The number of frames of a chain's picture.

@@ -1,14 +1,16 @@
 //! Automatic resolution: while something moves, the disk too, the picture is drawn with as many
-//! pixels as the wanted frame rate allows. A picture at rest is drawn in full.
+//! pixels as the frame rate allows that the movement needs. A picture at rest is drawn in full.
 
 use crate::app::session::canvas::{assumed_kind, measure_canvas};
 use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::picture_motion::picture_motion;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::settings::Automatic;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
-use lightfall_render::{CurrentScene, ShownCells};
+use lightfall_core::scene::Scene;
+use lightfall_render::{CurrentScene, PictureArea, RestingSizes};
 use wgpu::DeviceType;
 
 /// The coarsest picture, as a share of each side.
@@ -19,16 +21,22 @@ const STEP: f64 = 1.0 / 16.0;
 const FRAMES: u32 = 4;
 /// Maximum time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
 const MAX_FRAME_SECONDS: f64 = 2.0;
-/// The picture gets finer only where the frame rate exceeds the wanted one by this factor.
-const REFINE_MARGIN: f64 = 1.35;
+/// The frame rate of the slowest movement, and of a disk that turns before a camera at rest, as a share
+/// of the wanted one. Fine pixels are worth more there than many frames.
+const SLOWEST_RATE: f64 = 1.0 / 3.0;
+/// By how much of its height the picture may move from frame to frame, before it is wanted as often as
+/// in fast movements.
+const MAX_JUMP: f64 = 0.005;
 
-/// What the frame times of the present movement have shown so far.
+/// What the frames of the present movement have shown so far.
 #[derive(Default)]
 struct Measurement {
     /// Share of each side that held the frame rate last. None before the first movement.
     share: Option<f64>,
     frames: u32,
     seconds: f64,
+    /// By how much of its height the picture has moved.
+    moved: f64,
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -42,8 +50,8 @@ fn adapt_resolution(
     adapter: Option<Res<RenderAdapterInfo>>,
     mut resolution: ResMut<Resolution>,
     scene: Res<CurrentScene>,
-    mut cells: ResMut<ShownCells>,
-    mut measurement: Local<Measurement>,
+    mut area: ResMut<PictureArea>,
+    (mut measurement, mut last): (Local<Measurement>, Local<Option<Scene>>),
 ) {
     let settings = &preferences.settings;
     let fineness = resolution.fineness(&scene.picture);
@@ -60,37 +68,62 @@ fn adapt_resolution(
     // A first movement begins with as many pixels as the scene asks for.
     let first_share = round_share(fineness.sqrt().recip());
     let mut share = measurement.share.unwrap_or(first_share);
+    let moved = match &*last {
+        Some(last) if scene.is_changed() => picture_motion(last, &scene),
+        _ => 0.0,
+    };
+    if scene.is_changed() {
+        *last = Some(scene.scene().clone());
+    }
     // The first frames of a movement still wait for the full picture.
     if adapts && pacing.frames > 1 {
         measurement.frames += 1;
         measurement.seconds += time.delta_secs_f64().min(MAX_FRAME_SECONDS);
+        measurement.moved += moved;
         if measurement.frames >= FRAMES {
             let frame = measurement.seconds / f64::from(measurement.frames);
-            share = next_share(share, frame * settings.frame_rate);
+            let speed = measurement.moved / measurement.seconds;
+            share = next_share(share, frame * wanted_rate(speed, settings.frame_rate));
             *measurement = Measurement {
                 share: Some(share),
                 ..default()
             };
         }
     } else {
-        (measurement.frames, measurement.seconds) = (0, 0.0);
+        *measurement = Measurement {
+            share: measurement.share,
+            ..default()
+        };
     }
     resolution.set_share(if adapts { share } else { 1.0 });
-    // The cells do not get coarser with the picture.
-    cells.set_if_neq(ShownCells(Some(resolution.at_rest(&scene.picture).grid())));
+    let at_rest = resolution.at_rest(&scene.picture);
+    area.set_if_neq(PictureArea {
+        at_rest: Some(RestingSizes {
+            size: at_rest.size(),
+            grid: at_rest.grid(),
+        }),
+        ..*area
+    });
+}
+
+/// The frame rate that a movement needs, where the picture moves by `speed` times its height in a
+/// second, and fast movements are wanted at the rate `fast`.
+#[must_use]
+pub fn wanted_rate(speed: f64, fast: f64) -> f64 {
+    (speed / MAX_JUMP).clamp(SLOWEST_RATE * fast, fast)
 }
 
 /// The next share of each side, where frames last `slowness` times as long as wanted. The time of
-/// a frame is taken as proportional to the number of pixels.
-fn next_share(share: f64, slowness: f64) -> f64 {
-    let wanted = if slowness > 1.0 {
-        share / slowness.sqrt()
-    } else if slowness * REFINE_MARGIN < 1.0 {
-        share + STEP
+/// a frame is taken as proportional to the number of pixels. Some of it is not, so that a finer
+/// picture by this rule holds the frame rate, too, and the share does not go up and down.
+#[must_use]
+pub fn next_share(share: f64, slowness: f64) -> f64 {
+    let fitting = share / slowness.max(1e-3).sqrt();
+    if slowness > 1.0 {
+        round_share(fitting)
     } else {
-        share
-    };
-    round_share(wanted)
+        round_share(share.max((fitting / STEP).floor() * STEP))
+    }
 }
 
 fn round_share(share: f64) -> f64 {

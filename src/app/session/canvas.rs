@@ -62,7 +62,10 @@ pub(super) fn measure_canvas(
         min: UVec2::new(left, 0),
         max: UVec2::new(right, size.y),
     };
-    area.set_if_neq(PictureArea(free));
+    area.set_if_neq(PictureArea {
+        part: free,
+        ..*area
+    });
     resolution.set_canvas(Canvas {
         size: free.size(),
         window: size,

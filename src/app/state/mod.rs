@@ -11,6 +11,7 @@ pub(crate) mod menu;
 pub(crate) mod notice;
 pub(crate) mod overlays;
 pub(crate) mod paused;
+pub(crate) mod picture_motion;
 pub(crate) mod preferences;
 pub(crate) mod rebinding;
 pub(crate) mod resolution;

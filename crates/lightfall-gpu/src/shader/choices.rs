@@ -55,7 +55,8 @@ impl Variant {
     /// have neighbours.
     fn neighbours_file(self) -> &'static str {
         let structure = self.structure && self.entry != Entry::TimedLight;
-        let compared = structure || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
+        let compared =
+            structure || self.reference_star || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
         match self.entry {
             Entry::Refine => "neighbours/lanes.wgsl",
             Entry::Picture if compared => "neighbours/pixels.wgsl",
@@ -108,6 +109,11 @@ impl Variant {
             SkyMode::Stars => Choice::of("stars/sums.wgsl"),
             _ => Choice::of("stars/none.wgsl"),
         });
+        choices.push(Choice::of(if self.reference_star {
+            "sky/reference_star.wgsl"
+        } else {
+            "sky/no_reference_star.wgsl"
+        }));
         if self.turned_sky {
             choices.push(Choice::of("sky/tilted.wgsl"));
             choices.push(background.renaming("sky_background", "background_in_hole_frame"));

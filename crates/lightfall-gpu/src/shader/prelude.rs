@@ -30,7 +30,6 @@ impl Variant {
                     || self.seeks_stars()
                     || self.sky != SkyMode::Off,
             ),
-            ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
             ("LENSING", self.effects.lensing),

@@ -5,20 +5,47 @@ use bevy::prelude::Resource;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::scene::Picture;
 
-/// The part of the output in which the picture is shown, in pixels. An empty one stands for the whole
-/// output.
+/// Where the picture is shown.
 #[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
-pub struct PictureArea(pub URect);
+pub struct PictureArea {
+    /// The part of the output for it, in pixels. An empty one stands for the whole output.
+    pub part: URect,
+    /// Its sizes at rest. A picture that is drawn coarser for a moment lies where it lies at rest.
+    pub at_rest: Option<RestingSizes>,
+}
+
+/// The sizes of a picture at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RestingSizes {
+    /// Its size in pixels.
+    pub size: UVec2,
+    /// Its grid of cells. A window keeps its cells while it draws fewer pixels than there are cells, and
+    /// they then show the picture interpolated.
+    pub grid: UVec2,
+}
 
 impl PictureArea {
     /// Centres the picture in this part of an output of the given size.
     #[must_use]
     pub fn letterbox(self, picture: &Picture, output: UVec2) -> Letterbox {
-        let mut area = self.0.intersect(URect::from_corners(UVec2::ZERO, output));
+        let mut area = self
+            .part
+            .intersect(URect::from_corners(UVec2::ZERO, output));
         if area.is_empty() {
             area = URect::from_corners(UVec2::ZERO, output);
         }
-        let Letterbox { offset, extent } = letterbox(picture, area.size());
+        let at_rest = self.at_rest.filter(|at_rest| match picture.bypass {
+            true => have_same_shape(at_rest.size, picture.size()),
+            false => have_same_shape(at_rest.grid, picture.grid()),
+        });
+        let shown = at_rest.map_or(*picture, |at_rest| Picture {
+            width: at_rest.size.x,
+            height: at_rest.size.y,
+            grid_width: at_rest.grid.x,
+            grid_height: at_rest.grid.y,
+            ..*picture
+        });
+        let Letterbox { offset, extent } = letterbox(&shown, area.size());
         Letterbox {
             offset: offset + area.min.as_vec2(),
             extent,
@@ -59,6 +86,15 @@ pub fn letterbox(picture: &Picture, output: UVec2) -> Letterbox {
         offset: ((output.as_vec2() - extent) / 2.0).floor(),
         extent,
     }
+}
+
+/// Whether two sizes have the same shape, where the smaller one's sides may be off by one: they are whole
+/// numbers.
+fn have_same_shape(a: UVec2, b: UVec2) -> bool {
+    let (a, b) = (a.as_dvec2(), b.as_dvec2());
+    let (small, large) = if a.x < b.x { (a, b) } else { (b, a) };
+    let is_wider = |x: f64, y: f64| x * large.y >= y * large.x;
+    is_wider(small.x + 1.0, small.y - 1.0) && !is_wider(small.x - 1.0, small.y + 1.0)
 }
 
 /// The scale at which the grid covers the output and no row or column of cells is out of view.

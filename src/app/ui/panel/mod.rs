@@ -123,7 +123,7 @@ fn show_panel(
             .auto_shrink(false)
             .show(ui, |ui| match panel.page {
                 Page::Scene => {
-                    let size = area.0.size();
+                    let size = area.part.size();
                     scene_page::show(ui, &mut editor, &steps, &bindings, &mut paused, size);
                 }
                 Page::Presets => panel.presets.show(ui, &mut editor, &clipboard),
