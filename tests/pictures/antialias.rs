@@ -94,6 +94,106 @@ fn the_photon_ring_has_no_dashes() {
     assert!(refined <= 1.2 * truth, "refined {refined}, truth {truth}");
 }
 
+/// A picture as small as a window on a software renderer draws it while something moves.
+fn small(mut scene: Scene) -> Scene {
+    let picture = &mut scene.picture;
+    (picture.width, picture.height) = (360, 202);
+    (picture.grid_width, picture.grid_height) = (360, 202);
+    scene
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_photon_ring_is_whole_in_the_small_pictures_of_a_slow_machine_in_motion() {
+    for number in [1, 3] {
+        let scene = small(smooth(number));
+        let size = scene.picture.size();
+        let deviation = |moving: bool, setting: PictureSetting| {
+            let options = HeadlessOptions {
+                light: true,
+                moving,
+                ..HeadlessOptions::default()
+            };
+            let first = setting.of(&scene);
+            let mut studio = Studio::with_options(&first, size, options).unwrap();
+            let whole = shown(&mut studio, &scene, setting, [0, 0, size.x, size.y]);
+            deviation_along_ring(&scene, &whole)
+        };
+        let truth = deviation(false, PictureSetting::new(false, TRUE_SAMPLES));
+        let single = deviation(false, PictureSetting::new(false, 1));
+        let quick = deviation(true, PictureSetting::new(true, 1));
+        println!("preset {number}: truth {truth:.4}, single {single:.4}, quick {quick:.4}");
+        // What is left is the ring's own change of brightness. One ray a pixel breaks it into beads.
+        assert!(
+            single > 1.2 * truth,
+            "{number}: single {single}, truth {truth}"
+        );
+        assert!(
+            quick <= 1.2 * truth,
+            "{number}: quick {quick}, truth {truth}"
+        );
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn an_einstein_ring_is_whole_at_every_resolution_and_its_second_image_has_no_dashes() {
+    let mut scene = preset(5);
+    scene.sky.mode = SkyMode::Procedural;
+    (scene.sky.star_brightness, scene.sky.reference_theta_deg) = (0.0, 100.0);
+    for size in [
+        UVec2::new(240, 135),
+        UVec2::new(360, 202),
+        UVec2::new(960, 540),
+    ] {
+        let mut scene = scene.clone();
+        let picture = &mut scene.picture;
+        (picture.width, picture.height) = size.into();
+        (picture.grid_width, picture.grid_height) = size.into();
+        let mut studio = studio(&scene);
+        for antialias in [false, true] {
+            let setting = PictureSetting::new(antialias, 1);
+            let brightness = shown(&mut studio, &scene, setting, [0, 0, size.x, size.y]);
+            let at = |x: u32, y: u32| brightness[(y * size.x + x) as usize];
+            // The brightest pixel in each direction from the middle, outside the shadow.
+            let shadow = shadow_half_angle_static(scene.camera.r).tan() / scene.pixel_angle();
+            let along = |inner: f64, outer: f64| -> Vec<f64> {
+                (0..720)
+                    .map(|i| {
+                        let (sin, cos) = (TAU * f64::from(i) / 720.0).sin_cos();
+                        let middle = 0.5 * size.as_dvec2();
+                        let steps = ((outer - inner) / 0.25) as u32;
+                        (0..=steps)
+                            .map(|step| {
+                                middle + (inner + 0.25 * f64::from(step)) * DVec2::new(cos, sin)
+                            })
+                            .map(|place| at(place.x as u32, place.y as u32))
+                            .fold(0.0, f64::max)
+                    })
+                    .collect()
+            };
+            let first = along(1.5 * shadow, 5.0 * shadow);
+            let (least, most) = first
+                .iter()
+                .fold((1.0, 0.0), |(least, most): (f64, f64), x| {
+                    (least.min(*x), most.max(*x))
+                });
+            println!("{size}, {antialias}: from {least:.3} to {most:.3}");
+            // A break would be as dark as the sky beside it, which has a tenth at most.
+            assert!(least > 0.4, "{size}, {antialias}: from {least} to {most}");
+            // Light that went once around makes a ring of less than a thousandth of a pixel, whose light
+            // is a hundredth of the star's: single rays that meet the star would be dashes.
+            let second = along(shadow - 1.0, shadow + 1.5);
+            let brightest = second.iter().copied().fold(0.0, f64::max);
+            println!("second: up to {brightest:.3}");
+            assert!(
+                brightest < 0.35,
+                "{size}, {antialias}: a dash of {brightest}"
+            );
+        }
+    }
+}
+
 /// Standard deviation over mean of the brightness along the circle half a pixel outside the edge of
 /// the shadow of a hole without spin, by bilinear interpolation.
 fn deviation_along_ring(scene: &Scene, brightness: &[f64]) -> f64 {

@@ -3,7 +3,7 @@
 use super::linear::{Linear, program, small};
 use glam::UVec2;
 use lightfall_core::scene::resized;
-use lightfall_core::scene::{DiskStructure, journey};
+use lightfall_core::scene::{DiskStructure, ObserverKind, journey};
 use lightfall_picture::{Frames, Sequence, render};
 use std::fs;
 use std::path::Path;
@@ -191,4 +191,38 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
         let line = sequence(pattern, "0..9", 30.0).ffmpeg(960, 540);
         assert!(line.contains(input), "{line}");
     }
+}
+
+/// The share of a journey's last picture that is brighter than an eighth of the screen's range.
+fn light_at_the_end(text: &str, observer: ObserverKind) -> f64 {
+    let journey = journey::load("journey", text).unwrap();
+    let mut scene = journey.preset.unwrap().plain_scene().clone();
+    scene.observer.kind = observer;
+    journey.apply(journey.duration, &mut scene);
+    (scene.picture.width, scene.picture.height) = (480, 270);
+    scene.picture.bypass = true;
+    let still = render(&scene, UVec2::new(480, 270)).unwrap();
+    let pixels = still.rgb.chunks(3);
+    let lit = pixels.filter(|rgb| rgb.iter().any(|level| *level > 32));
+    3.0 * lit.count() as f64 / still.rgb.len() as f64
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn bundled_journeys_end_in_the_light() {
+    // A view straight up from 1.12 r_s shows a tenth of light, and people called it dark; a whole ring
+    // of light around the sky makes a sixth of the picture.
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/journeys");
+    let mut ends = 0;
+    for file in std::fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        for observer in [ObserverKind::Static, ObserverKind::Rain] {
+            let share = light_at_the_end(&text, observer);
+            println!("{}, {observer:?}: {share:.3}", path.display());
+            assert!(share > 0.15, "{}, {observer:?}: {share}", path.display());
+            ends += 1;
+        }
+    }
+    assert!(ends >= 2);
 }

@@ -1,11 +1,11 @@
 //! The picture in windows of every size: it fills them with even cells, or pixel by pixel.
 
-use bevy::math::UVec2;
+use bevy::math::{URect, UVec2};
 use lightfall::app::{Canvas, PictureShape, Resolution};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::fit;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
-use lightfall_render::{Letterbox, letterbox};
+use lightfall_render::{Letterbox, PictureArea, RestingSizes, letterbox};
 
 use crate::random::Random;
 
@@ -148,5 +148,53 @@ fn random_pictures_in_random_windows_can_be_drawn_and_keep_their_own_size() {
         );
         assert_eq!(drawn.check(), Ok(()), "case {case}: {resolution:?}");
         assert_eq!(drawn.shown_in(&Frame::of(&own)), own, "case {case}");
+    }
+}
+
+#[test]
+fn a_coarser_picture_lies_where_it_lies_at_rest() {
+    // The picture of the preset's shape has bars; any other fills the window.
+    for (shape, fills) in [(PictureShape::Window, true), (PictureShape::Preset, false)] {
+        for ((width, height), bypass) in WINDOWS
+            .into_iter()
+            .flat_map(|window| [(window, false), (window, true)])
+        {
+            let window = UVec2::new(width, height);
+            let own = Picture {
+                bypass,
+                ..Picture::default()
+            };
+            let mut resolution = Resolution::default();
+            resolution.set_canvas(Canvas {
+                size: window,
+                window,
+                shape,
+                max_pixels: 400_000,
+            });
+            let at_rest = resolution.at_rest(&own);
+            let area = PictureArea {
+                part: URect::from_corners(UVec2::ZERO, window),
+                at_rest: Some(RestingSizes {
+                    size: at_rest.size(),
+                    grid: at_rest.grid(),
+                }),
+            };
+            let resting = letterbox(&at_rest, window);
+            if bypass && fills {
+                assert_eq!(resting.extent, window.as_vec2(), "{window}");
+            }
+            let scene = Drawable::new(Scene {
+                picture: own,
+                ..Scene::default()
+            })
+            .unwrap();
+            for sixteenths in 4..16 {
+                resolution.set_share(f64::from(sixteenths) / 16.0);
+                let frame = resolution.frame(&scene);
+                let drawn = scene.shown_in(&frame).picture;
+                let shown = area.letterbox(&drawn, window);
+                assert_eq!(shown, resting, "{window}, {shape:?}: {drawn:?}");
+            }
+        }
     }
 }

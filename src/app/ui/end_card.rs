@@ -11,6 +11,9 @@ use bevy_egui::{EguiPrimaryContextPass, egui};
 const MAX_WIDTH: f32 = 330.0;
 /// Colour of the names of keys.
 const KEY: egui::Color32 = egui::Color32::from_rgb(255, 205, 120);
+/// Colours of the other words.
+const WHITE: egui::Color32 = egui::Color32::from_gray(240);
+const GREY: egui::Color32 = egui::Color32::from_gray(215);
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -44,35 +47,69 @@ fn show_end_card(
             (false, false) => format!("{keys} or {buttons}"),
         }
     };
+    let ways: Vec<(String, &str)> = end_card
+        .ways
+        .iter()
+        .map(|(id, does)| (inputs(id), *does))
+        .filter(|(inputs, _)| !inputs.is_empty())
+        .collect();
+    let beside = layout.at(egui::Align2::RIGHT_CENTER, Slide::Anywhere);
+    let below = layout.at(egui::Align2::CENTER_BOTTOM, Slide::Anywhere);
     let width = MAX_WIDTH.min(layout.bounds().width());
-    let wish = layout
-        .at(egui::Align2::RIGHT_CENTER, Slide::Anywhere)
-        .even_over_hole();
-    show_placed(context, layout, "end card", wish, |ui| {
-        ui.set_max_width(width);
-        text_box(18.0, 8.0).show(ui, |ui| {
-            let white = egui::Color32::from_gray(240);
-            let text =
-                |text: &str, size: f32, colour| egui::RichText::new(text).size(size).color(colour);
-            ui.label(text(&end_card.title, 22.0, white));
-            if !end_card.text.is_empty() {
+    let upright = |ui: &mut egui::Ui| show_upright(ui, &end_card, &ways, width);
+    if show_placed(context, layout, "end card", beside, upright).is_some() {
+        return;
+    }
+    let width = layout.bounds().width();
+    let flat = |ui: &mut egui::Ui| show_flat(ui, &end_card, &ways, width);
+    if show_placed(context, layout, "end card", below, flat).is_none() {
+        show_placed(context, layout, "end card", below.even_over_hole(), flat);
+    }
+}
+
+fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
+    egui::RichText::new(text).size(size).color(colour)
+}
+
+/// Shows the card as a column beside the hole.
+fn show_upright(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: f32) {
+    ui.set_max_width(width);
+    text_box(18.0, 8.0).show(ui, |ui| {
+        ui.label(words(&card.title, 22.0, WHITE));
+        ui.add_space(6.0);
+        if !card.text.is_empty() {
+            ui.label(words(&card.text, 15.0, GREY));
+            ui.add_space(6.0);
+        }
+        ui.add_space(6.0);
+        egui::Grid::new("ways")
+            .num_columns(2)
+            .spacing([16.0, 5.0])
+            .show(ui, |ui| {
+                for (inputs, does) in ways {
+                    ui.label(words(inputs, 15.0, KEY));
+                    ui.label(words(does, 15.0, WHITE));
+                    ui.end_row();
+                }
+            });
+    });
+}
+
+/// Shows the card as a strip below the hole.
+fn show_flat(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: f32) {
+    ui.set_max_width(width);
+    text_box(6.0, 6.0).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.label(words(&card.title, 14.0, WHITE));
+        if !card.text.is_empty() {
+            ui.label(words(&card.text, 12.0, GREY));
+        }
+        ui.horizontal_wrapped(|ui| {
+            for (inputs, does) in ways {
+                ui.label(words(inputs, 12.0, KEY));
+                ui.label(words(does, 12.0, WHITE));
                 ui.add_space(6.0);
-                ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
             }
-            ui.add_space(12.0);
-            egui::Grid::new("ways")
-                .num_columns(2)
-                .spacing([16.0, 5.0])
-                .show(ui, |ui| {
-                    for (id, does) in &end_card.ways {
-                        let inputs = inputs(id);
-                        if !inputs.is_empty() {
-                            ui.label(text(&inputs, 15.0, KEY));
-                            ui.label(text(does, 15.0, white));
-                            ui.end_row();
-                        }
-                    }
-                });
         });
     });
 }
