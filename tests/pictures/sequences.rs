@@ -214,9 +214,9 @@ fn bundled_journeys_end_in_the_light() {
     // of light around the sky makes a sixth of the picture.
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/journeys");
     let mut ends = 0;
-    for file in std::fs::read_dir(folder).unwrap() {
+    for file in fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
         for observer in [ObserverKind::Static, ObserverKind::Rain] {
             let share = light_at_the_end(&text, observer);
             println!("{}, {observer:?}: {share:.3}", path.display());
