@@ -186,7 +186,9 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
             Entry::Star(StarKernel::Solve | StarKernel::Interpolate)
         );
         let lights_stars = stars || variant.entry == Entry::Star(StarKernel::RefineImage);
-        let spectrum = lights_stars || pictures && light && (variant.disk || sky);
+        // The lines of the grid have no temperature.
+        let thermal_sky = sky && (variant.sky != SkyMode::Grid || variant.reference_star);
+        let spectrum = lights_stars || pictures && light && (variant.disk || thermal_sky);
         assert_eq!(
             source.contains("var<uniform> spectrum"),
             spectrum,

@@ -16,15 +16,20 @@ const ALONE: &str = "Footprint(vec3<f32>(0.0), vec3<f32>(0.0))";
 fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Vec<DVec3> {
     // A compute entry has no neighbouring rays, by which the picture's shader measures footprints.
     let source = Variant::timed_light(scene).source();
-    let expression = format!(
-        "vec4<f32>({}, scene.sky.spot_radius + spectrum[0].x)",
-        expression.replace("direction", "given.xyz")
-    );
+    // A uniform that no expression reads would not be bound; a grid without the star has no spectrum.
+    let has_spectrum = source.contains("var<uniform> spectrum");
+    let read = if has_spectrum {
+        "scene.sky.spot_radius + spectrum[0].x"
+    } else {
+        "scene.sky.spot_radius"
+    };
+    let expression = expression.replace("direction", "given.xyz");
+    let expression = format!("vec4<f32>({expression}, {read})");
     let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(UVec2::new(960, 540))).unwrap();
-    let uniforms = [
-        (bindings::SCENE, uniform(&numbers)),
-        (bindings::SPECTRUM, table_bytes(&table())),
-    ];
+    let mut uniforms = vec![(bindings::SCENE, uniform(&numbers))];
+    if has_spectrum {
+        uniforms.push((bindings::SPECTRUM, table_bytes(&table())));
+    }
     let given = directions
         .iter()
         .map(|direction| direction.as_vec3().extend(0.0));

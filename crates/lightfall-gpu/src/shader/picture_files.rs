@@ -36,6 +36,7 @@ impl Variant {
             for limb in LimbDarkening::ALL {
                 add(&|scene| scene.disk.limb = limb);
             }
+            add(&|scene| scene.sky.reference_star = true);
             add(&|scene| scene.effects.lensing = false);
             add(&|scene| scene.picture.antialias = false);
             scenes
