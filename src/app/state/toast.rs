@@ -1,7 +1,7 @@
 //! The toast: one sentence at the bottom of the window that says what a key has done, what was
 //! refused, or where a file went. A newer sentence takes the place of an older one.
 
-use super::{FADE, MAX_FRAME_SECONDS};
+use super::FADE;
 use bevy::prelude::*;
 use std::time::Duration;
 
@@ -13,6 +13,9 @@ const SHORT: usize = 24;
 const PER_CHARACTER: Duration = Duration::from_millis(75);
 /// The longest time that a sentence stays.
 const MAX_DURATION: Duration = Duration::from_secs(15);
+
+/// The least number of frames that show a sentence.
+const MIN_FRAMES: u32 = 8;
 
 /// The sentence.
 #[derive(Resource, Default)]
@@ -69,8 +72,12 @@ impl Toast {
 
     /// Seconds until the sentence goes.
     pub(crate) fn left(&self) -> f32 {
-        let stays = reading_time(&self.text).max(self.min_duration) + FADE;
-        stays.as_secs_f32() - self.since()
+        self.stays().as_secs_f32() - self.since()
+    }
+
+    /// How long the sentence is shown in all.
+    fn stays(&self) -> Duration {
+        reading_time(&self.text).max(self.min_duration) + FADE
     }
 }
 
@@ -86,12 +93,13 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(Update, expire_toast);
 }
 
-/// A frame counts for a quarter of a second at most: while a shader compiles, nobody reads.
+/// A frame counts for a share of the sentence's time at most, because nobody reads while a shader
+/// compiles.
 fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
     if toast.text.is_empty() {
         return;
     }
-    let frame = time.delta().min(Duration::from_secs_f64(MAX_FRAME_SECONDS));
+    let frame = time.delta().min(toast.stays() / MIN_FRAMES);
     toast.shown = Some(toast.shown.map_or(Duration::ZERO, |shown| shown + frame));
     if toast.left() <= 0.0 {
         toast.clear();
