@@ -122,7 +122,7 @@ const BENT: u32 = 1u;
 const HARD: u32 = 2u;
 const SHADOW: u32 = 3u;
 
-// Adds a pixel to the list of its rays.
+// Adds a pixel to the list of its kind; a pixel without an edge is in none.
 fn mark(pixel: u32, kind: u32) {
     if kind == SHADOW {
         let place = atomicAdd(&work.fine, 1u);

@@ -65,10 +65,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let stars = stars(&args.scene)?;
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
-        moving: false,
         timed: args.timings.is_some(),
         light: format == Format::Exr,
         stars,
+        ..HeadlessOptions::default()
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let first_scene = drawn_scene(&first_scene, format);

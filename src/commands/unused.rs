@@ -95,7 +95,7 @@ pub(super) fn note_unused(
 fn reason_of_equal(unfinished: &Scene, args: &SceneArgs, overrides: &[Override]) -> &'static str {
     let with = scene_with(args, overrides);
     if with.is_ok_and(|with| !with.differences(unfinished).is_empty()) {
-        // Nothing else finishes a scene.
+        // It alone is applied after the values.
         "--size decides it"
     } else {
         "the scene has this value without it"

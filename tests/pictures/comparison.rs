@@ -1,20 +1,20 @@
 //! Two scenes side by side, and their difference.
 
 use super::{preset, without_spin};
-use glam::{DVec2, UVec2};
+use glam::UVec2;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Method, Scene, SkyMode, View};
 use lightfall_picture::{HeadlessOptions, PassTime, Studio, render};
 use lightfall_render::{Captured, Chain, ComparedScene, ComparisonLayout, ComparisonMode};
 use lightfall_render::{EMPTY_PASSES, Pinned, TwoScenes};
 
-const SIZE: UVec2 = UVec2::new(160, 90);
+pub(super) const SIZE: UVec2 = UVec2::new(160, 90);
 /// The first column right of a divider in the middle.
-const HALF: usize = 80;
+pub(super) const HALF: usize = 80;
 const MIDDLE: ComparisonMode = ComparisonMode::SideBySide { divider: 0.5 };
 
 /// A small picture of a preset.
-fn small(number: usize) -> Scene {
+pub(super) fn small(number: usize) -> Scene {
     smaller(preset(number))
 }
 
@@ -22,7 +22,7 @@ fn small(number: usize) -> Scene {
 /// rays: whether a pixel beside the divider is refined depends on what is not drawn there. It is
 /// shown pixel by pixel, at a fixed exposure: the pinned scene takes over that of the current one,
 /// and the light of stars is counted in units that follow the exposure.
-fn smaller(mut scene: Scene) -> Scene {
+pub(super) fn smaller(mut scene: Scene) -> Scene {
     (scene.picture.width, scene.picture.height) = SIZE.into();
     (scene.picture.grid_width, scene.picture.grid_height) = (80, 45);
     (scene.picture.bypass, scene.picture.bloom) = (true, 0.0);
@@ -30,7 +30,7 @@ fn smaller(mut scene: Scene) -> Scene {
     scene
 }
 
-fn studio(scene: &Scene) -> Studio {
+pub(super) fn studio(scene: &Scene) -> Studio {
     let options = HeadlessOptions {
         timed: true,
         light: true,
@@ -40,7 +40,7 @@ fn studio(scene: &Scene) -> Studio {
 }
 
 /// The light of a scene alone, by passes that may have drawn other ones.
-fn light(alone: &mut Studio, scene: &Scene) -> Captured {
+pub(super) fn light(alone: &mut Studio, scene: &Scene) -> Captured {
     alone.show(scene).unwrap();
     alone.light().unwrap()
 }
@@ -176,64 +176,6 @@ fn edges_are_refined_on_both_sides_of_the_divider_also_beside_a_view_that_shows_
             );
         }
     }
-}
-
-#[test]
-#[ignore = "needs a graphics adapter"]
-fn each_of_two_whole_pictures_is_that_of_its_scene_alone_at_half_the_width() {
-    let pinned = smaller(without_spin(2));
-    let mut turned = pinned.clone();
-    // Stars, which another kernel finds beside a spinning hole, and edges.
-    turned.sky.mode = SkyMode::Stars;
-    turned.picture.antialias = true;
-    let mut spinning = turned.clone();
-    spinning.hole.spin = 0.9;
-    let mut grid = turned.clone();
-    grid.sky.mode = SkyMode::Grid;
-    let mut alone = studio(&pinned);
-    let mut studio = studio(&pinned);
-    for (what, left, right) in [
-        ("spin", &turned, &spinning),
-        ("spin on the left", &spinning, &turned),
-        ("sky", &grid, &turned),
-    ] {
-        studio.show(right).unwrap();
-        studio.compare(Some((left, ComparisonMode::TwoPictures)));
-        let both = studio.light().unwrap();
-        // The pinned scene takes over the picture of the current one.
-        let left = Scene {
-            picture: right.picture,
-            ..left.clone()
-        };
-        let sides = [&left, right].map(|scene| light(&mut alone, &scene.widened(2.0, 80)));
-        assert!(sides[0].rgba != sides[1].rgba, "{what} changes nothing");
-        for (i, pixel) in both.rgba.iter().enumerate() {
-            let (row, column) = (i / SIZE.x as usize, i % SIZE.x as usize);
-            let side = &sides[column / HALF];
-            let own = side.rgba[row * HALF + column % HALF];
-            assert_eq!(pixel[..3], own[..3], "{what}: pixel {column}, {row}");
-        }
-    }
-}
-
-#[test]
-fn a_widened_scene_shows_from_left_to_right_what_the_whole_one_shows() {
-    let scene = small(2);
-    let half = scene.widened(2.0, 80);
-    let [whole_size, half_size] = [&scene, &half].map(|scene| scene.picture.size().as_dvec2());
-    for across in [0.0, 20.0, 100.0, 160.0] {
-        let whole = scene.camera.looking(DVec2::new(across, 45.0), whole_size);
-        let seen = half.camera.pixel_of(whole, half_size).unwrap();
-        assert!(
-            (seen - DVec2::new(across / 2.0, 45.0)).length() < 1e-9,
-            "{seen}"
-        );
-    }
-    // A field of view has an end.
-    let mut wide = scene.clone();
-    wide.camera.fov_deg = 178.0;
-    let widest = wide.widened(100.0, 80);
-    assert!(Drawable::new(widest).is_ok());
 }
 
 #[test]

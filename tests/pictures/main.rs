@@ -25,6 +25,7 @@ mod redraw;
 mod sequences;
 mod stars;
 mod tilt;
+mod two_pictures;
 
 use glam::UVec2;
 use lightfall_core::scene::{

@@ -96,8 +96,9 @@ impl Chain {
     }
 
     /// The chain that also draws a compared scene. Two scenes side by side need no more passes than
-    /// one; two whole pictures have no foreground, which is drawn once. A difference has neither bloom, which would spread it, nor smooth edges: what is
-    /// compared are single rays, and it covers the foreground.
+    /// one; two whole pictures have no foreground, which is drawn once. A difference has neither
+    /// bloom, which would spread it, nor smooth edges: what is compared are single rays, and it
+    /// covers the foreground.
     #[must_use]
     pub fn comparing(self, compared: &ComparedScene) -> Self {
         let pinned = compared.drawn().map(|(scene, _)| Self::of(scene));

@@ -1,5 +1,5 @@
 //! Automatic resolution: while something moves, the disk too, the picture is drawn with as many
-//! pixels as the frame rate allows that the movement needs. A picture at rest is drawn in full.
+//! pixels as the frame rate that the movement needs allows. A picture at rest is drawn in full.
 
 use crate::app::session::canvas::{assumed_kind, measure_canvas};
 use crate::app::session::frame_pacing::FramePacing;
@@ -24,8 +24,8 @@ const MAX_FRAME_SECONDS: f64 = 2.0;
 /// The frame rate of the slowest movement, and of a disk that turns before a camera at rest, as a share
 /// of the wanted one. Fine pixels are worth more there than many frames.
 const SLOWEST_RATE: f64 = 1.0 / 3.0;
-/// By how much of its height the picture may move from frame to frame, before it is wanted as often as
-/// in fast movements.
+/// The share of its height by which the picture moves between two frames at most, where the machine is
+/// fast enough.
 const MAX_JUMP: f64 = 0.005;
 
 /// What the frames of the present movement have shown so far.

@@ -23,20 +23,5 @@ pub fn picture_motion(before: &Scene, after: &Scene) -> f64 {
 
 /// The camera's axes in the hole's frame, as if space were flat.
 fn orientation(scene: &Scene) -> DMat3 {
-    let camera = &scene.camera;
-    let (sin_theta, cos_theta) = camera.theta_deg.to_radians().sin_cos();
-    let (sin_phi, cos_phi) = camera.phi_deg.to_radians().sin_cos();
-    // Outward, toward increasing theta, toward increasing phi.
-    let tetrad = DMat3::from_cols_array(&[
-        sin_theta * cos_phi,
-        sin_theta * sin_phi,
-        cos_theta,
-        cos_theta * cos_phi,
-        cos_theta * sin_phi,
-        -sin_theta,
-        -sin_phi,
-        cos_phi,
-        0.0,
-    ]);
-    tetrad * camera.tetrad_from_camera()
+    scene.camera.tetrad() * scene.camera.tetrad_from_camera()
 }

@@ -6,7 +6,7 @@ use crate::app::state::hole_in_view::SeenHole;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::{Res, Single, With};
 use bevy::window::{PrimaryWindow, Window};
-use bevy_egui::egui::{self, Rangef, Rect, Vec2, pos2, vec2};
+use bevy_egui::egui::{self, Rect, Vec2, pos2, vec2};
 use glam::DVec2;
 use lightfall_core::scene::Scene;
 use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, Letterbox, PictureArea};
@@ -43,8 +43,7 @@ impl PictureInWindow<'_, '_> {
 
     /// Where the current scene's directions lie.
     pub(in crate::app::ui) fn placement(&self, context: &egui::Context) -> Placement {
-        let columns = self.columns_of(SceneSide::Current);
-        Placement::new(self.scene(), self.whole(context), columns)
+        self.place(self.scene(), SceneSide::Current, context)
     }
 
     /// Where the directions of a scene lie; `None` if it is not drawn.
@@ -53,9 +52,22 @@ impl PictureInWindow<'_, '_> {
         side: SceneSide,
         context: &egui::Context,
     ) -> Option<Placement> {
-        let scene = self.scene_of(side)?;
-        let columns = self.columns_of(side);
-        Some(Placement::new(scene, self.whole(context), columns))
+        Some(self.place(self.scene_of(side)?, side, context))
+    }
+
+    /// Where the directions of a scene on this side lie. Of two whole pictures each has its own columns.
+    fn place(&self, scene: &Scene, side: SceneSide, context: &egui::Context) -> Placement {
+        let own = if self.has_two_pictures() {
+            self.shown_part(side, context)
+        } else {
+            self.whole(context)
+        };
+        Placement::new(scene, own)
+    }
+
+    fn has_two_pictures(&self) -> bool {
+        let drawn = self.compared.drawn();
+        drawn.is_some_and(|(_, layout)| layout.is_two_pictures())
     }
 
     /// The part of the window that all of the picture fills, in points.
@@ -80,18 +92,17 @@ impl PictureInWindow<'_, '_> {
     /// The place of the line between two sides that are compared.
     pub(in crate::app::ui) fn divider(&self, context: &egui::Context) -> Option<f32> {
         let (_, layout) = self.compared.drawn()?;
-        let share = self.share_of(layout.divider()?);
+        let share = layout.divider()? as f32 / self.scene.picture.width.max(1) as f32;
         let whole = self.whole(context);
         Some(whole.left() + share * whole.width())
     }
 
     /// The boxes of the hole: one in each picture that shows it whole.
     pub(in crate::app::ui) fn holes(&self, context: &egui::Context, hole: &SeenHole) -> Vec<Rect> {
-        let sides = match self.compared.drawn() {
-            Some((_, ComparisonLayout::TwoPictures { .. })) => {
-                &[SceneSide::Current, SceneSide::Pinned][..]
-            }
-            _ => &[SceneSide::Current],
+        let sides = if self.has_two_pictures() {
+            &[SceneSide::Current, SceneSide::Pinned][..]
+        } else {
+            &[SceneSide::Current]
         };
         let box_in = |side: &SceneSide| {
             let (scene, placement) = (self.scene_of(*side)?, self.placement_of(*side, context)?);
@@ -136,23 +147,5 @@ impl PictureInWindow<'_, '_> {
     fn letterbox(&self) -> Letterbox {
         let size = self.window.physical_size();
         self.area.letterbox(&self.scene.picture, size)
-    }
-
-    /// The place of a boundary between two columns, as a share of the picture's width.
-    fn share_of(&self, column: u32) -> f32 {
-        column as f32 / self.scene.picture.width.max(1) as f32
-    }
-
-    /// Where a scene's own picture lies in the whole one, as shares of its width.
-    fn columns_of(&self, side: SceneSide) -> Rangef {
-        match (self.compared.drawn(), side) {
-            (Some((_, ComparisonLayout::TwoPictures { columns })), SceneSide::Pinned) => {
-                Rangef::new(0.0, self.share_of(columns))
-            }
-            (Some((_, ComparisonLayout::TwoPictures { columns })), SceneSide::Current) => {
-                Rangef::new(self.share_of(columns), 1.0)
-            }
-            _ => Rangef::new(0.0, 1.0),
-        }
     }
 }

@@ -275,6 +275,7 @@ fn a_decimal_comma_leads_to_the_number_that_was_meant() {
         ("camera.r=0,125", "0.125"),
         ("disk.waves=24,0", "24"),
         ("quality.max_steps=1,024", "1024"),
+        ("quality.max_steps=1,000", "1000"),
         ("observer.velocity=0,5,0,0", "decimal points, as in 0.5,0,0"),
     ] {
         let error = set(assignment);

@@ -73,10 +73,12 @@ impl Refusal {
             Kind::Integer(range) => {
                 let allowed = |number: f64| number.fract() == 0.0 && range.contains(number);
                 let meant = number_with_comma(text, allowed)?;
-                let whole = meant.trim_end_matches('0').strip_suffix('.');
-                Some(whole.unwrap_or(&meant).to_owned())
+                // Nobody writes three decimals of a whole number: 1,000 is 1000.
+                let last = meant.rsplit(' ').next()?;
+                let whole = last.trim_end_matches('0').strip_suffix('.');
+                Some(whole.unwrap_or(last).to_owned())
             }
-            // Decimal commas make more numbers of three.
+            // With decimal commas, three numbers read as four to six.
             Kind::Velocity => {
                 let count = text.trim_matches(['[', ']']).split(',').count();
                 (4..=6)

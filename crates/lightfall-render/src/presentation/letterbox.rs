@@ -34,9 +34,12 @@ impl PictureArea {
         if area.is_empty() {
             area = URect::from_corners(UVec2::ZERO, output);
         }
-        let at_rest = self.at_rest.filter(|at_rest| match picture.bypass {
-            true => have_same_shape(at_rest.size, picture.size()),
-            false => have_same_shape(at_rest.grid, picture.grid()),
+        let at_rest = self.at_rest.filter(|at_rest| {
+            if picture.bypass {
+                have_same_shape(at_rest.size, picture.size())
+            } else {
+                have_same_shape(at_rest.grid, picture.grid())
+            }
         });
         let shown = at_rest.map_or(*picture, |at_rest| Picture {
             width: at_rest.size.x,

@@ -1,7 +1,7 @@
 //! Where directions of the camera's sky lie in the window, and lines through them.
 
 use super::style::Style;
-use bevy_egui::egui::{Color32, Painter, Pos2, Rangef, Rect, Stroke, vec2};
+use bevy_egui::egui::{Color32, Painter, Pos2, Rect, Stroke, vec2};
 use glam::{DMat3, DVec2, DVec3};
 use lightfall_core::scene::{Camera, Scene};
 
@@ -25,14 +25,13 @@ pub(in crate::app::ui) struct Placement {
 }
 
 impl Placement {
-    /// For a scene whose picture fills these shares of the whole picture's width.
-    pub(in crate::app::ui) fn new(scene: &Scene, whole: Rect, columns: Rangef) -> Self {
-        let x = |share: f32| whole.left() + share * whole.width();
+    /// For a scene whose picture fills this part of the window.
+    pub(in crate::app::ui) fn new(scene: &Scene, picture: Rect) -> Self {
         Self {
             camera: scene.camera,
             size: scene.picture.size().as_dvec2(),
             camera_from_observer: scene.camera.tetrad_from_camera().transpose(),
-            picture: Rect::from_x_y_ranges(x(columns.min)..=x(columns.max), whole.y_range()),
+            picture,
         }
     }
 
