@@ -2,7 +2,7 @@
 //! resolution is never lost.
 
 use crate::random::Random;
-use lightfall::app::{Resolution, next_share, picture_motion, wanted_rate};
+use lightfall::app::{Resolution, ViewPoint, next_share, wanted_rate};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Scene};
 
@@ -81,7 +81,7 @@ fn a_fast_flight_wants_the_whole_frame_rate_and_a_slow_one_a_third() {
     let moved = |change: fn(&mut Scene)| {
         let mut next = scene.clone();
         change(&mut next);
-        picture_motion(&scene, &next)
+        ViewPoint::from(&scene).picture_motion(&ViewPoint::from(&next))
     };
     // A tenth of the field of view, whichever axis the camera turns about.
     let tenth = moved(|scene| scene.camera.yaw_deg += 0.1 * scene.camera.fov_deg);

@@ -39,21 +39,22 @@ pub enum ComparisonMode {
 }
 
 impl ComparisonMode {
+    /// The middle of the picture, as a share of its width: where two whole pictures meet, and where
+    /// a divider begins.
+    pub const MIDDLE: f32 = 0.5;
+
     fn layout(self, picture: &Picture) -> ComparisonLayout {
         match self {
             Self::SideBySide { divider } => ComparisonLayout::SideBySide {
                 columns: columns_left_of(divider, picture),
             },
             Self::TwoPictures => ComparisonLayout::TwoPictures {
-                columns: columns_left_of(MIDDLE, picture),
+                columns: columns_left_of(Self::MIDDLE, picture),
             },
             Self::Difference { gain } => ComparisonLayout::Difference { gain: gain as f32 },
         }
     }
 }
-
-/// Place of the line between two whole pictures.
-const MIDDLE: f32 = 0.5;
 
 /// The number of the picture's columns left of a divider. Where the picture is shown in cells, the
 /// divider lies between two cells, so that no cell mixes the two scenes.

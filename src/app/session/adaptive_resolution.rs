@@ -3,13 +3,12 @@
 
 use crate::app::session::canvas::{assumed_kind, measure_canvas};
 use crate::app::session::frame_pacing::FramePacing;
-use crate::app::state::picture_motion::picture_motion;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::settings::Automatic;
+use crate::app::state::view_point::ViewPoint;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
-use lightfall_core::scene::Scene;
 use lightfall_render::{CurrentScene, PictureArea, RestingSizes};
 use wgpu::DeviceType;
 
@@ -51,7 +50,7 @@ fn adapt_resolution(
     mut resolution: ResMut<Resolution>,
     scene: Res<CurrentScene>,
     mut area: ResMut<PictureArea>,
-    (mut measurement, mut last): (Local<Measurement>, Local<Option<Scene>>),
+    (mut measurement, mut last): (Local<Measurement>, Local<Option<ViewPoint>>),
 ) {
     let settings = &preferences.settings;
     let fineness = resolution.fineness(&scene.picture);
@@ -68,13 +67,9 @@ fn adapt_resolution(
     // A first movement begins with as many pixels as the scene asks for.
     let first_share = round_share(fineness.sqrt().recip());
     let mut share = measurement.share.unwrap_or(first_share);
-    let moved = match &*last {
-        Some(last) if scene.is_changed() => picture_motion(last, &scene),
-        _ => 0.0,
-    };
-    if scene.is_changed() {
-        *last = Some(scene.scene().clone());
-    }
+    let view_point = ViewPoint::from(scene.scene());
+    let moved = last.map_or(0.0, |last| last.picture_motion(&view_point));
+    *last = Some(view_point);
     // The first frames of a movement still wait for the full picture.
     if adapts && pacing.frames > 1 {
         measurement.frames += 1;

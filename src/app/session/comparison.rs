@@ -10,7 +10,6 @@ use lightfall_render::{Comparison, ComparisonMode, CurrentScene, Pinned};
 /// What a difference is multiplied by: each press of its key takes the next number.
 pub(crate) const GAINS: [u32; 5] = [1, 4, 16, 64, 256];
 const DEFAULT_GAIN: u32 = 16;
-const MIDDLE: f32 = 0.5;
 
 /// The amplification after this one.
 pub(crate) fn next_gain(gain: u32) -> u32 {
@@ -39,7 +38,9 @@ fn switch_comparison(
                 continue;
             }
             (AppCommand::Compare, Some(SideBySide { .. })) => TwoPictures,
-            (AppCommand::Compare, _) => SideBySide { divider: MIDDLE },
+            (AppCommand::Compare, _) => SideBySide {
+                divider: ComparisonMode::MIDDLE,
+            },
             (AppCommand::Difference, Some(Difference { gain })) => Difference {
                 gain: next_gain(gain),
             },

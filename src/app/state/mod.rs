@@ -11,7 +11,6 @@ pub(crate) mod menu;
 pub(crate) mod notice;
 pub(crate) mod overlays;
 pub(crate) mod paused;
-pub(crate) mod picture_motion;
 pub(crate) mod preferences;
 pub(crate) mod rebinding;
 pub(crate) mod resolution;
@@ -21,6 +20,7 @@ pub(crate) mod settings_fault;
 pub(crate) mod shown_picture;
 pub(crate) mod title;
 pub(crate) mod toast;
+pub(crate) mod view_point;
 pub(crate) mod window_shot;
 
 use std::time::Duration;

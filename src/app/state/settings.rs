@@ -60,9 +60,9 @@ pub struct Settings {
     pub buttons: BTreeMap<String, Vec<String>>,
 }
 
-/// The version of settings that this program reads and writes. It rises when fields are added or
-/// change their meaning: an older program then leaves the file alone, instead of taking it for a
-/// broken one.
+/// The version of settings that this program reads and writes. It rises with each release that adds
+/// fields or changes their meaning: an older program then leaves the file alone, instead of taking it
+/// for a broken one.
 pub const SETTINGS_VERSION: i64 = 1;
 
 /// Whether something is done that suits some adapters.

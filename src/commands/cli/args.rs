@@ -55,7 +55,8 @@ pub struct SceneArgs {
     #[arg(long, value_name = "on|off", value_enum, hide_possible_values = true)]
     pub cells: Option<Cells>,
     /// CSV file of stars in place of the built-in catalogue, a line ra_deg,dec_deg,v_mag,b_v,name for
-    /// each: J2000, in degrees; the last two may be missing
+    /// each: J2000, in degrees; the last two may be missing. A first line of column names may give
+    /// them in another order, and those of the HYG database and of Gaia's archive are known
     #[arg(long, value_name = "FILE")]
     pub stars: Option<PathBuf>,
 }
@@ -108,8 +109,8 @@ pub struct RenderArgs {
           value_parser = ChannelNames::WORDS)]
     pub aov_names: String,
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
-    /// frame A to frame B inclusive. Frames after the end show the end. The clock of a disk that
-    /// moves runs by disk.rate a second, from disk.time in frame 0
+    /// frame A to frame B inclusive; an .apng holds all of them. Frames after the end show the end.
+    /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<Frames>,
     /// Frames per second
@@ -132,12 +133,17 @@ pub struct RenderArgs {
 /// The text below the help of `lightfall render`.
 fn about_pictures() -> String {
     let channels = CHANNELS
-        .map(|channel| format!("  {:20} {}\n", channel.name, channel.about))
+        .map(|channel| {
+            format!(
+                "  {:20} {:9} {}\n",
+                channel.name, channel.old_name, channel.about
+            )
+        })
         .concat();
     format!(
         "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN. Groups \
-         are sky, hit1 and hit2, and the names of version 0.1 mean the same channels:\n{channels}\n\
-         Names of a sequence: the last run of # is replaced by the frame's number with as many digits, as in fall-####.png; fall.png \
+         are sky, hit1 and hit2. The second name is that of version 0.1, and means the same channel:\n{channels}\n\
+         Names of a sequence: the last run of # is replaced by the frame's number with at least as many digits, as in fall-####.png; fall.png \
          gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \
          metered. At the end, a command line that makes a video is printed.\n\n\
          Every picture holds the preset that drew it: `--preset picture.png` and `--preset picture.exr` read it."

@@ -149,3 +149,27 @@ fn a_file_that_is_gone_is_missed_by_those_that_need_it() {
     let missing = ShaderFiles::read(&folder.0.join("nowhere")).unwrap_err();
     assert!(missing.to_string().contains("nowhere"), "{missing}");
 }
+
+#[test]
+fn files_of_other_encodings_are_read_or_named() {
+    let folder = Folder::new("shaders-encoded");
+    let text = Variant::picture(&Scene::default()).text();
+    let path = folder.0.join("math.wgsl");
+    let math = fs::read_to_string(&path).unwrap();
+    let utf16 = math.encode_utf16().flat_map(u16::to_le_bytes);
+    fs::write(
+        &path,
+        [0xff, 0xfe].into_iter().chain(utf16).collect::<Vec<u8>>(),
+    )
+    .unwrap();
+    assert_eq!(folder.linked(&text), text);
+    fs::write(&path, format!("\u{feff}{math}")).unwrap();
+    assert_eq!(folder.linked(&text), text);
+    fs::write(&path, b"// an angle in \xb0\n").unwrap();
+    let fault = ShaderFiles::read(&folder.0).unwrap_err().to_string();
+    let named = format!(
+        "{} is not UTF-8 text: line 1 has the byte 0xB0",
+        path.display()
+    );
+    assert!(fault.starts_with(&named), "{fault}");
+}

@@ -1,6 +1,7 @@
 //! The files that shaders are linked from, with their headers.
 
 use lightfall_model::reason::reason;
+use lightfall_model::text;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
@@ -157,7 +158,13 @@ fn add_files(folder: &Path, prefix: &str, files: &mut Vec<ShaderFile>) -> io::Re
         if path.is_dir() {
             add_files(&path, &format!("{name}/"), files)?;
         } else if name.ends_with(".wgsl") {
-            let text = fs::read_to_string(&path).map_err(|error| named(&path, error))?;
+            let bytes = fs::read(&path).map_err(|error| named(&path, error))?;
+            let text = text::decode(bytes).map_err(|error| {
+                io::Error::new(
+                    io::ErrorKind::InvalidData,
+                    format!("{} {error}", path.display()),
+                )
+            })?;
             files.push(ShaderFile::new(name, text));
         }
     }

@@ -4,13 +4,14 @@
 use super::place::Placement;
 use super::style::{Style, meaning, name};
 use crate::app::ui::layout::{Layout, Slide};
-use crate::app::ui::number::round_length;
+use crate::app::ui::number;
 use crate::app::ui::screen::{show_placed, text_box};
 use bevy_egui::egui::{self, Color32, RichText, Stroke, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::numbers::in_words;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
 
 const SIZE: f32 = 12.5;
@@ -36,7 +37,7 @@ pub(super) fn show_key(
     scene: &Scene,
     guides: &[Guide],
     placement: &Placement,
-    mass: HoleMass,
+    (units, mass): (Units, HoleMass),
     tracing: Tracing,
 ) {
     let kerr = scene.kerr();
@@ -55,7 +56,7 @@ pub(super) fn show_key(
                 .map(|flat| guides.iter().filter(|guide| guide.flat == flat).collect());
             if scene.effects.lensing {
                 heading(ui, "Traced through bent light");
-                traced.iter().for_each(|guide| row(ui, guide, kerr));
+                traced.iter().for_each(|guide| row(ui, guide, kerr, units));
                 if tracing.waiting {
                     note(ui, "tracing…");
                 }
@@ -67,14 +68,14 @@ pub(super) fn show_key(
                     "Lensing is off: every line is flat"
                 };
                 heading(ui, title);
-                flat.iter().for_each(|guide| row(ui, guide, kerr));
+                flat.iter().for_each(|guide| row(ui, guide, kerr, units));
             }
             if scene.effects.lensing {
                 let shadow =
                     "Every line of sight inside the shadow, traced back, ends at the horizon.";
                 note(ui, shadow);
             }
-            scale_bar(ui, scene, placement, mass);
+            show_scale(ui, scene, placement, units, mass);
         });
     });
 }
@@ -88,7 +89,7 @@ fn note(ui: &mut egui::Ui, text: &str) {
     ui.label(RichText::new(text).size(SIZE).color(WEAK));
 }
 
-fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
+fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr, units: Units) {
     let style = Style::of(guide);
     ui.horizontal_top(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(28.0, 16.0), egui::Sense::hover());
@@ -99,13 +100,20 @@ fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
             ui.spacing_mut().item_spacing.y = 0.0;
             let name = RichText::new(name(guide, kerr)).size(SIZE);
             ui.label(name.color(style.colour));
-            ui.label(RichText::new(meaning(guide, kerr)).size(SIZE).color(TEXT));
+            let meaning = meaning(guide, kerr, units);
+            ui.label(RichText::new(meaning).size(SIZE).color(TEXT));
         });
     });
 }
 
 /// Shows a bar that is as long as a round length at the hole's distance.
-fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: HoleMass) {
+fn show_scale(
+    ui: &mut egui::Ui,
+    scene: &Scene,
+    placement: &Placement,
+    units: Units,
+    mass: HoleMass,
+) {
     // Short enough for the picture's perspective not to matter.
     let short = 1e-3 * scene.camera.r;
     let Some([left, right]) = bar_across_hole(scene, short) else {
@@ -117,7 +125,8 @@ fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: Hole
         return;
     };
     let points_per_length = f64::from(left.distance(right)) / short;
-    let Some(length) = round_length(LONGEST_BAR / points_per_length) else {
+    let longest = LONGEST_BAR / points_per_length;
+    let Some((length, in_units)) = number::scale_bar(longest, units) else {
         return;
     };
     let width = (length * points_per_length) as f32;
@@ -128,11 +137,13 @@ fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: Hole
     for x in [start, start + width] {
         ui.painter().vline(x, rect.y_range(), stroke);
     }
-    let kilometres = length * mass.metres() / 1000.0;
-    let text = format!(
-        "{length} r_s at the hole's distance, flat: {} km for {} suns",
-        in_words(kilometres),
-        in_words(mass.suns)
-    );
+    let suns = in_words(mass.suns);
+    let text = match units {
+        Units::Hole => {
+            let everyday = Units::Everyday(mass).length(length, in_words);
+            format!("{in_units} at the hole's distance, flat: {everyday} for {suns} suns")
+        }
+        Units::Everyday(_) => format!("{in_units} at the hole's distance, flat, for {suns} suns"),
+    };
     ui.label(RichText::new(text).size(SIZE).color(TEXT));
 }

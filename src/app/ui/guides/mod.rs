@@ -17,7 +17,6 @@ use key::{Tracing, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, quick_guides, traced_guides};
-use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::Scene;
 use lightfall_platform::worker::Follower;
 use lightfall_render::DrawnScene;
@@ -108,7 +107,7 @@ fn show_guides(
         scene,
         &known,
         &placement,
-        HoleMass::of_suns(preferences.settings.hole_mass_suns),
+        (preferences.settings.units(), preferences.settings.mass()),
         Tracing {
             waiting,
             right_side: picture.divider(context).is_some(),

@@ -4,6 +4,7 @@ use crate::app::ui::number::trimmed;
 use bevy_egui::egui::{Color32, Pos2, Shape, Stroke, Vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, photon_shells};
+use lightfall_core::optics::readout::units::Units;
 
 /// The look of a guide's line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,26 +71,31 @@ pub(super) fn name(guide: &Guide, kerr: Kerr) -> &'static str {
 }
 
 /// What a guide marks, in a line of the key.
-pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
-    let shells: Vec<String> = photon_shells(kerr).into_iter().map(length).collect();
-    let circling = match &shells[..] {
-        [inner, outer] => format!("photon shell, {inner} to {outer} r_s"),
-        _ => format!("photon sphere, {} r_s", shells.concat()),
+pub(super) fn meaning(guide: &Guide, kerr: Kerr, units: Units) -> String {
+    let length = |radius: f64| units.length(radius, |radius| trimmed(format!("{radius:.3}")));
+    let (shells, circling) = match photon_shells(kerr)[..] {
+        [inner, outer] => {
+            // The unit once is enough.
+            let inner = length(inner);
+            let inner = inner.rsplit_once(' ').map_or(&*inner, |(number, _)| number);
+            let shells = format!("{inner} to {}", length(outer));
+            let circling = format!("photon shell, {shells}");
+            (shells, circling)
+        }
+        ref shells => {
+            let shells = shells.iter().copied().map(length).collect::<String>();
+            let circling = format!("photon sphere, {shells}");
+            (shells, circling)
+        }
     };
     match guide.landmark {
         Landmark::ShadowEdge => format!("the photon ring: light that grazed the {circling}"),
         Landmark::StableOrbit => {
-            let isco = length(kerr.isco());
-            format!("no stable circular orbit inside {isco} r_s")
+            format!("no stable circular orbit inside {}", length(kerr.isco()))
         }
         Landmark::StableOrbitAgain => "by light that went on around the hole".into(),
         Landmark::Ergosphere => "nothing inside it can stand still".into(),
-        Landmark::Horizon => format!("{} r_s", length(kerr.horizon())),
-        Landmark::PhotonSphere => format!("{} r_s", shells.join(" to ")),
+        Landmark::Horizon => length(kerr.horizon()),
+        Landmark::PhotonSphere => shells,
     }
-}
-
-/// A radius with up to three decimals.
-fn length(radius: f64) -> String {
-    trimmed(format!("{radius:.3}"))
 }

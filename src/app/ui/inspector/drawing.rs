@@ -4,11 +4,12 @@
 use super::colours::{CAMERA, DISK, ERGOSPHERE, HORIZON, ISCO, PHOTON_ORBITS, path_colour};
 use super::plane_figure;
 use super::projection::Projection;
-use crate::app::ui::number::{four_decimals, round_length};
+use crate::app::ui::number::{four_decimals, scale_bar};
 use bevy_egui::egui::{self, Color32, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::optics::camera_rays::camera_in_disk_frame;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
@@ -52,19 +53,19 @@ const HALF_WIDTHS: [f64; 2] = [0.8, 1e5];
 const SEGMENTS: usize = 96;
 
 /// The colours of what is drawn, and what they mean.
-pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene) -> Vec<(Color32, &'static str)> {
+pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene, units: Units) -> Vec<(Color32, String)> {
     let (plane, spins) = (viewpoint == Viewpoint::Plane, scene.hole.spin != 0.0);
     let photon_orbits = if plane && !spins {
-        "photon sphere, 1.5 r_s"
+        format!("photon sphere, {}", units.length(1.5, four_decimals))
     } else {
-        "photon orbits"
+        "photon orbits".into()
     };
     let all = [
-        (true, HORIZON, "horizon"),
-        (!plane && spins, ERGOSPHERE, "ergosphere"),
+        (true, HORIZON, "horizon".into()),
+        (!plane && spins, ERGOSPHERE, "ergosphere".into()),
         (true, PHOTON_ORBITS, photon_orbits),
-        (!plane, ISCO, "innermost stable orbit"),
-        (scene.disk.enabled && !(plane && spins), DISK, "disk"),
+        (!plane, ISCO, "innermost stable orbit".into()),
+        (scene.disk.enabled && !(plane && spins), DISK, "disk".into()),
     ];
     let drawn = all.into_iter().filter(|(drawn, ..)| *drawn);
     drawn.map(|(_, colour, name)| (colour, name)).collect()
@@ -77,6 +78,7 @@ impl Sketch {
         ui: &mut egui::Ui,
         scene: &Scene,
         rays: &[Inspected],
+        units: Units,
         size: egui::Vec2,
     ) {
         let plane = self.viewpoint == Viewpoint::Plane;
@@ -99,8 +101,8 @@ impl Sketch {
             }
         }
         if plane {
-            let scale = plane_figure::draw(&painter, rect, scene, rays, self.half_width);
-            return draw_scale(&painter, rect, scale);
+            let scale = plane_figure::draw(&painter, rect, scene, rays, units, self.half_width);
+            return draw_scale(&painter, rect, scale, units);
         }
         if response.dragged() {
             self.viewpoint = Viewpoint::Orbit;
@@ -124,7 +126,7 @@ impl Sketch {
         }
         let camera = projection.point(camera_in_disk_frame(scene) * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
-        draw_scale(&painter, rect, projection.points_per_length);
+        draw_scale(&painter, rect, projection.points_per_length, units);
     }
 
     /// Rows: right, up, toward the viewer, in the disk's frame. The camera's azimuth points left.
@@ -234,9 +236,9 @@ fn draw_path(projection: &Projection, inspected: &Inspected, first: bool) {
 }
 
 /// Draws a bar of a round length.
-fn draw_scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
+fn draw_scale(painter: &egui::Painter, rect: Rect, points_per_length: f64, units: Units) {
     let wanted = 0.25 * f64::from(rect.width()) / points_per_length;
-    let Some(length) = round_length(wanted) else {
+    let Some((length, text)) = scale_bar(wanted, units) else {
         return;
     };
     let start = rect.left_bottom() + egui::vec2(10.0, -10.0);
@@ -246,7 +248,7 @@ fn draw_scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
     painter.text(
         start - egui::vec2(0.0, 3.0),
         egui::Align2::LEFT_BOTTOM,
-        format!("{} r_s", four_decimals(length)),
+        text,
         egui::FontId::proportional(12.0),
         colour,
     );

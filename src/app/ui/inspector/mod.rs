@@ -203,23 +203,23 @@ fn show_inspector(
         let below = inspector.text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
         let height = (room - below).max(60.0);
         let size = egui::vec2(ui.available_width(), height);
-        sketch.show(ui, seen, &answer.rays, size);
+        let units = preferences.settings.units();
+        sketch.show(ui, seen, &answer.rays, units, size);
         let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 9.0;
-            for (colour, name) in legend(sketch.viewpoint, seen) {
+            for (colour, name) in legend(sketch.viewpoint, seen, units) {
                 ui.label(egui::RichText::new(name).color(colour).size(12.0));
             }
         });
         if sketch.viewpoint == Viewpoint::Plane {
-            ui.label(plane_figure::explanation(seen, first));
+            ui.label(plane_figure::explanation(seen, first, units));
         }
         ui.separator();
         let shown = egui::ScrollArea::both()
             .id_salt("numbers")
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                let units = preferences.settings.units();
                 numbers::show(ui, first, seen, answer.gpu_fault.as_deref(), units);
             });
         // Next frame the drawing makes room for them.

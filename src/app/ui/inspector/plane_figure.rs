@@ -9,6 +9,7 @@ use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::ray_plane::{DiskSection, RayPlane};
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::Scene;
 use std::f64::consts::TAU;
@@ -30,6 +31,7 @@ pub(super) fn draw(
     rect: Rect,
     scene: &Scene,
     rays: &[Inspected],
+    units: Units,
     half_width: Option<f64>,
 ) -> f64 {
     let Some(first) = rays.first() else {
@@ -47,6 +49,7 @@ pub(super) fn draw(
         rect,
         hole,
         scale,
+        units,
         labels: Labels::within(painter, rect),
     };
     figure.draw_hole(scene, first);
@@ -85,6 +88,8 @@ struct Figure {
     hole: Pos2,
     /// Points of the screen for one r_s.
     scale: f64,
+    /// The units of lengths in labels.
+    units: Units,
     labels: Labels,
 }
 
@@ -105,6 +110,11 @@ impl Figure {
     /// A length in r_s that reaches across the figure from anywhere in it.
     fn across(&self) -> f64 {
         f64::from(self.rect.size().length()) / self.scale
+    }
+
+    /// A length in words.
+    fn in_words(&self, length: f64) -> String {
+        self.units.length(length, four_digits)
     }
 
     /// Writes a label next to a place.
@@ -199,7 +209,7 @@ impl Figure {
         if deflection > MIN_ARC {
             self.draw_angle([camera, foot], [looking, toward], deflection);
         }
-        let text = format!("b = {} r_s", four_digits(b));
+        let text = format!("b = {}", self.in_words(b));
         self.label(0.62 * foot, &text, IMPACT);
     }
 
@@ -296,14 +306,14 @@ impl Figure {
             self.painter
                 .line_segment(ends, Stroke::new(1.0, colour.gamma_multiply(0.7)));
             self.painter.circle_filled(ends[1], 3.5, colour);
-            let text = format!("closest r = {} r_s", four_digits(closest.length()));
+            let text = format!("closest r = {}", self.in_words(closest.length()));
             self.label(closest, &text, colour);
         }
         for (place, hit) in plane.hits.into_iter().zip(ray.trace.hits) {
             if let (Some((_, place)), Some(hit)) = (place, hit) {
                 self.painter.circle_filled(self.point(place), 4.0, DISK);
-                let [r, g] = [place.length(), hit.g].map(four_digits);
-                self.label(place, &format!("r = {r} r_s, g = {g}"), DISK);
+                let (r, g) = (self.in_words(place.length()), four_digits(hit.g));
+                self.label(place, &format!("r = {r}, g = {g}"), DISK);
             }
         }
         if let (Outcome::Captured, None, Some(end)) =
@@ -311,18 +321,18 @@ impl Figure {
         {
             self.label(*end, "traced backward: ends at the horizon", colour);
         }
-        let r = four_digits(scene.camera.r);
+        let r = self.in_words(scene.camera.r);
         let mut points = plane.points.iter().copied();
         let is_inside = |point: DVec2| self.rect.contains(self.point(point));
         match points.next() {
             Some(camera) if is_inside(camera) => {
                 self.painter.circle_filled(self.point(camera), 4.0, CAMERA);
-                self.label(camera, &format!("camera, r = {r} r_s"), CAMERA);
+                self.label(camera, &format!("camera, r = {r}"), CAMERA);
             }
             _ => {
                 // The point where the path comes in from the camera.
                 if let Some(edge) = points.find(|point| is_inside(*point)) {
-                    self.label(edge, &format!("camera this way, at r = {r} r_s"), CAMERA);
+                    self.label(edge, &format!("camera this way, at r = {r}"), CAMERA);
                 }
             }
         }
@@ -330,14 +340,15 @@ impl Figure {
 }
 
 /// Why no light comes along a captured ray.
-fn captured(scene: &Scene, ray: &Inspected) -> String {
+fn captured(scene: &Scene, ray: &Inspected, units: Units) -> String {
     let b = ray.numbers.impact_parameter.filter(|b| *b >= 0.0);
     let outside = scene.hole.spin == 0.0 && scene.camera.r > 1.5;
     match b.filter(|_| outside && scene.effects.lensing) {
         Some(b) => {
-            let [b, critical] = [b, CRITICAL_IMPACT].map(four_digits);
+            let [b, critical] =
+                [b, CRITICAL_IMPACT].map(|length| units.length(length, four_digits));
             format!(
-                "Captured: b = {b} r_s is below {critical} r_s, so no light from outside comes along this ray."
+                "Captured: b = {b} is below {critical}, so no light from outside comes along this ray."
             )
         }
         None => "Captured: followed backward, this ray ends in the hole.".into(),
@@ -345,7 +356,7 @@ fn captured(scene: &Scene, ray: &Inspected) -> String {
 }
 
 /// What the figure shows, in a sentence or two.
-pub(super) fn explanation(scene: &Scene, ray: &Inspected) -> String {
+pub(super) fn explanation(scene: &Scene, ray: &Inspected, units: Units) -> String {
     let spins = scene.hole.spin != 0.0;
     let deflection = ray.plane.deflection.map(f64::to_degrees);
     let mut said = match (ray.trace.outcome, deflection.map(four_digits)) {
@@ -355,7 +366,7 @@ pub(super) fn explanation(scene: &Scene, ray: &Inspected) -> String {
         }
         (Outcome::Sky, Some(angle)) => format!("Light from the sky, turned by {angle}°."),
         (Outcome::Sky, None) => "Light from the sky.".into(),
-        (Outcome::Captured, _) => captured(scene, ray),
+        (Outcome::Captured, _) => captured(scene, ray, units),
         (Outcome::Unfinished, _) => "The reference gave up on this ray.".into(),
     };
     if !scene.effects.lensing {

@@ -1,0 +1,230 @@
+//! `--preset` and `lightfall presets`.
+
+use super::{answer, fault, fly, of_preset, preset, read, refuse};
+use clap::error::ErrorKind;
+use lightfall::commands;
+use lightfall::commands::cli::{Command, PresetsCommand, SceneArgs};
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::presets::PRESETS;
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+#[test]
+fn a_preset_is_found_by_number_name_or_path() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(&file, PRESETS[4].text).unwrap();
+    let path = file.path().to_str().unwrap();
+    for preset in ["5", "einstein-ring", path] {
+        assert_eq!(
+            commands::scene(&fly(&format!("lightfall --preset {preset}")))
+                .unwrap()
+                .name,
+            "einstein-ring"
+        );
+    }
+}
+
+#[test]
+fn one_preset_given_twice_is_refused() {
+    for line in [
+        "lightfall --preset 1 render --preset 2 -o a.png",
+        "lightfall --spin 0 trace --spin 0 --rays -",
+    ] {
+        assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
+    }
+    for command in ["presets list", "doctor --preset 3", "bench", "extremes"] {
+        assert_eq!(
+            refuse(&format!("lightfall --preset 2 {command}")).kind(),
+            ErrorKind::ArgumentConflict
+        );
+    }
+}
+
+#[test]
+fn the_error_about_an_unknown_preset_lists_the_presets() {
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring, 13 orion";
+    for given in ["14", "galaxy", "-1", ""] {
+        let sentence =
+            format!("--preset {given}: there is no such preset or file; the presets are {presets}");
+        assert_eq!(fault(&of_preset(Path::new(given))), sentence);
+    }
+    // The message names the command that was given, which is not `--preset`.
+    let Command::Presets(show) = read("lightfall presets show galaxy") else {
+        panic!()
+    };
+    let error = commands::presets(&show, &mut Vec::new()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        format!("presets show galaxy: there is no such preset or file; the presets are {presets}")
+    );
+    assert_eq!(error.status, 2);
+}
+
+#[test]
+fn a_misspelled_preset_leads_to_the_one_that_was_meant() {
+    for (given, meant) in [
+        ("edge_on", "edge-on"),
+        ("edgeon", "edge-on"),
+        ("Einstein", "einstein-ring"),
+        ("extermal", "extremal"),
+        ("telescop", "telescope"),
+    ] {
+        let sentence =
+            format!("--preset {given}: there is no such preset or file; did you mean {meant}?");
+        assert_eq!(fault(&of_preset(Path::new(given))), sentence);
+    }
+}
+
+#[test]
+fn a_preset_file_that_cannot_be_read_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("my.toml");
+    let named = |rest: &str| format!("{}: {rest}", path.display());
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named("cannot be read: there is no such file")
+    );
+    assert!(fault(&of_preset(folder.path())).ends_with(": cannot be read: it is a folder"));
+    for empty in ["", " \n\t\n", "\u{feff}", "# r = 3\n"] {
+        fs::write(&path, empty).unwrap();
+        let sentence = named("is empty; presets and journeys are short TOML texts");
+        assert_eq!(fault(&of_preset(&path)), sentence);
+        let journey = commands::journey(Some(&path), &preset()).unwrap_err();
+        assert_eq!(journey.to_string(), sentence);
+    }
+    fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named(
+            "is not UTF-8 text: line 1 has the byte 0xFF, as in Windows-1252 or Latin-1; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`; presets and journeys are short TOML texts"
+        )
+    );
+    fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named("is longer than 1048576 bytes; presets and journeys are short TOML texts")
+    );
+    fs::write(&path, "camera.r = 0.5").unwrap();
+    let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
+                    horizon at hole.spin = 0; observer rain goes on inside)";
+    assert_eq!(fault(&of_preset(&path)), named(sentence));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_endless_preset_file_is_read_only_up_to_the_limit() {
+    let sentence =
+        "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
+    assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
+}
+
+#[test]
+fn presets_are_listed_with_number_name_and_title() {
+    let list = answer("lightfall presets list");
+    let lines: Vec<&str> = list.lines().collect();
+    assert_eq!(lines.len(), PRESETS.len());
+    for (line, preset) in lines.iter().zip(PRESETS) {
+        let mut words = line.split_whitespace();
+        assert_eq!(words.next(), Some(preset.number.to_string().as_str()));
+        assert_eq!(words.next(), Some(preset.name));
+        assert!(line.ends_with(&preset.scene(&[]).unwrap().title));
+    }
+}
+
+#[test]
+fn a_shown_preset_is_a_preset_file_of_the_same_scene() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    for preset in PRESETS {
+        fs::write(
+            &file,
+            answer(&format!("lightfall presets show {}", preset.name)),
+        )
+        .unwrap();
+        assert_eq!(
+            commands::scene(&of_preset(file.path())).unwrap(),
+            preset.scene(&[]).unwrap()
+        );
+        assert_eq!(
+            answer(&format!(
+                "lightfall presets check {}",
+                file.path().display()
+            )),
+            format!("{}: ok\n", file.path().display())
+        );
+    }
+}
+
+#[test]
+fn presets_are_checked_by_number_name_and_path() {
+    for preset in ["2", "edge-on", "orion"] {
+        let line = format!("lightfall presets check {preset}");
+        assert_eq!(answer(&line), format!("{preset}: ok\n"));
+    }
+    let Command::Presets(check) = read("lightfall presets check edge_on") else {
+        panic!()
+    };
+    assert_eq!(
+        commands::presets(&check, &mut Vec::new())
+            .unwrap_err()
+            .to_string(),
+        "presets check edge_on: there is no such preset or file; did you mean edge-on?"
+    );
+}
+
+#[test]
+fn a_wrong_preset_file_does_not_pass_the_check() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(&file, "hole.spin = 3").unwrap();
+    let error = commands::presets(
+        &PresetsCommand::Check {
+            preset: file.path().into(),
+        },
+        &mut Vec::new(),
+    )
+    .unwrap_err();
+    assert_eq!(error.status, 2);
+    let sentence = "hole.spin = 3 is refused: it must be a number above -1 and below 1";
+    assert_eq!(
+        error.to_string(),
+        format!("{}: {sentence}", file.path().display())
+    );
+}
+
+/// A writer that always fails in one way.
+struct Fails(io::ErrorKind);
+
+impl Write for Fails {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(self.0.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Err(self.0.into())
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_no_failure_but_a_full_disk_is() {
+    assert!(
+        commands::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::BrokenPipe)).is_ok()
+    );
+    let error = commands::presets(
+        &PresetsCommand::List,
+        &mut Fails(io::ErrorKind::StorageFull),
+    )
+    .unwrap_err();
+    assert_eq!(error.status, 1);
+}
+
+#[test]
+fn the_scene_without_options_passes_the_check() {
+    assert_eq!(
+        commands::scene(&SceneArgs::default()).unwrap().check(),
+        Ok(())
+    );
+    assert_ne!(
+        commands::scene(&SceneArgs::default()).unwrap(),
+        Scene::default()
+    );
+}
