@@ -184,6 +184,29 @@ impl HoleAndDisk {
         &self,
         constants: &PhotonConstants,
         start: PhotonState,
+        visit: impl FnMut(&Step),
+    ) -> Trace {
+        self.follow_beyond(constants, start, 2, visit)
+    }
+
+    /// As [`follow`](Self::follow), but a ray that has crossed the plane twice goes on, too, to where
+    /// it can no longer be between the disk's edges: matter with depth is met anywhere there.
+    pub fn follow_to_inner_edge(
+        &self,
+        constants: &PhotonConstants,
+        start: PhotonState,
+        visit: impl FnMut(&Step),
+    ) -> Trace {
+        self.follow_beyond(constants, start, usize::MAX, visit)
+    }
+
+    /// Follows a ray to its end. The space between the disk's edges matters until the ray has crossed
+    /// the plane `max_hits` times there.
+    fn follow_beyond(
+        &self,
+        constants: &PhotonConstants,
+        start: PhotonState,
+        max_hits: usize,
         mut visit: impl FnMut(&Step),
     ) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
@@ -197,11 +220,12 @@ impl HoleAndDisk {
             return trace.ending(Outcome::Captured);
         }
         while trace.steps < MAX_STEPS {
-            let no_more_hits = state.u >= u_inner || trace.hits[1].is_some();
+            let hits = trace.hits.iter().flatten().count();
+            let nothing_more = state.u >= u_inner || hits >= max_hits;
             let inward = state.du > 0.0;
             if inward
                 && (state.u >= u_horizon
-                    || no_more_hits && constants.cannot_turn_within(state.u, u_horizon))
+                    || nothing_more && constants.cannot_turn_within(state.u, u_horizon))
             {
                 return trace.ending(Outcome::Captured);
             }

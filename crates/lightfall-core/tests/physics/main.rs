@@ -26,6 +26,7 @@ mod kerr;
 mod kerr_schild;
 mod light_without_spin;
 mod limb;
+mod medium;
 mod milky_way;
 mod mino;
 mod moved_camera;
