@@ -45,6 +45,7 @@ pub use state::disk_clock::DiskClock;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
 pub use state::preferences::Preferences;
+pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::SettingsFault;

@@ -2,11 +2,12 @@
 
 use bevy::prelude::KeyCode;
 use lightfall::app::{
-    Action, Bindable, Bindings, CONTROLS, Group, KeyLabels, Modifier, checked_change,
-    control_named, edited, help_rows, remark,
+    Action, Bindable, Bindings, CONTROLS, Group, KeyLabels, Modifier, RowPreset, checked_change,
+    control_named, edited, help_rows, preset_beside, remark,
 };
 use lightfall_core::scene::{Method, Observer, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 /// The scene after a control was used some times, where `loaded` is what was loaded.
 fn used_from(loaded: &Scene, scene: &Scene, id: &str, times: usize) -> Scene {
@@ -226,12 +227,22 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
             "scene.spin",
             "the disk still begins at 3 r_s; U moves it to the innermost stable orbit",
         ),
+        (
+            |_| {},
+            "light.beaming",
+            "what approaches is still bluer and looks hotter, so it stays brighter; Z switches that off, too",
+        ),
     ] {
         assert_eq!(feedback_of(&without(change), id), words, "{id}");
     }
     // Where there is something to see, there is no feedback.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
-    let explained = ["scene.observer", "scene.spin", "light.doppler"];
+    let explained = [
+        "scene.observer",
+        "scene.spin",
+        "light.doppler",
+        "light.beaming",
+    ];
     for control in CONTROLS
         .iter()
         .filter(|control| matches!(control.action, Action::Edit(_)))
@@ -333,27 +344,29 @@ fn number_keys_load_the_presets() {
 }
 
 #[test]
-fn page_up_and_down_go_through_the_presets_in_a_circle() {
-    let count = presets::PRESETS.len();
-    let mut scene = presets::PRESETS[0].scene(&[]).unwrap();
-    for place in (1..count).chain([0]) {
-        scene = used(&scene, "preset.next", 1);
-        assert_eq!(scene, presets::PRESETS[place].scene(&[]).unwrap());
+fn page_up_and_down_go_through_the_presets_and_the_users_own_in_a_circle() {
+    let built_in = presets::PRESETS.map(|preset| RowPreset::BuiltIn(preset.name.into()));
+    let own: Vec<PathBuf> = vec!["lesson-1.toml".into(), "lesson-2.toml".into()];
+    for own in [Vec::new(), own] {
+        let row: Vec<RowPreset> = built_in
+            .iter()
+            .cloned()
+            .chain(own.iter().cloned().map(RowPreset::Own))
+            .collect();
+        for (place, now) in row.iter().enumerate() {
+            let beside = |places: i32| preset_beside(now, own.clone(), places);
+            assert_eq!(beside(1), row[(place + 1) % row.len()]);
+            assert_eq!(beside(-1), row[(place + row.len() - 1) % row.len()]);
+        }
+        // From any other scene or file, to either end.
+        for other in [
+            RowPreset::BuiltIn("mine".into()),
+            RowPreset::Own("elsewhere.toml".into()),
+        ] {
+            assert_eq!(preset_beside(&other, own.clone(), 1), row[0]);
+            assert_eq!(preset_beside(&other, own.clone(), -1), row[row.len() - 1]);
+        }
     }
-    assert_eq!(
-        used(&scene, "preset.previous", 1),
-        presets::PRESETS[count - 1].scene(&[]).unwrap()
-    );
-    // From a scene of one's own, to either end.
-    scene.name = "mine".into();
-    assert_eq!(
-        used(&scene, "preset.next", 1),
-        presets::PRESETS[0].scene(&[]).unwrap()
-    );
-    assert_eq!(
-        used(&scene, "preset.previous", 1),
-        presets::PRESETS[count - 1].scene(&[]).unwrap()
-    );
 }
 
 fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {

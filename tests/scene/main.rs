@@ -36,6 +36,7 @@ mod history;
 mod key_labels;
 mod keys;
 mod legends;
+mod lessons;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;
 mod menu;

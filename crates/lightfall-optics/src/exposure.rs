@@ -15,7 +15,12 @@ use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::scene::{Effects, Scene, SkyMode};
 
+/// Rays with which the meter begins, and the most that it traces where they hardly meet the disk.
 const RAYS: u32 = 320;
+const MAX_RAYS: u32 = 2560;
+/// Rays to the disk that give its mean level. Where a bright line is all of it, as deep inside the
+/// hole, a few rays would give another level for every turn of the camera.
+const ENOUGH_ON_DISK: f64 = 24.0;
 /// The places of the rays in the picture are multiples of these numbers, less whole pictures: an
 /// even distribution without rows and columns (Roberts 2018, "The Unreasonable Effectiveness of
 /// Quasirandom Sequences"), so a moving edge passes the rays one by one.
@@ -64,29 +69,42 @@ pub fn exposed(scene: &Scene) -> Scene {
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
-    let metered = meter(scene)?;
+    biased(scene, MAX_RAYS)
+}
+
+/// As [`metered_exposure`], with few rays in every scene: for one that moves.
+///
+/// # Errors
+/// As [`metered_exposure`].
+pub fn roughly_metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    biased(scene, RAYS)
+}
+
+fn biased(scene: &Scene, max_rays: u32) -> Result<Option<f64>, ObserverError> {
+    let metered = meter(scene, max_rays)?;
     Ok(metered.map(|exposure| exposure + scene.picture.exposure_bias))
 }
 
 /// The exposure without the scene's bias.
-fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
-    let own = measure(scene)?;
+fn meter(scene: &Scene, max_rays: u32) -> Result<Option<f64>, ObserverError> {
+    let own = measure(scene, max_rays)?;
     if scene.effects == Effects::default() {
         return Ok(own);
     }
-    let with_effects = measure(&Scene {
+    let with_effects = Scene {
         effects: Effects::default(),
         ..scene.clone()
-    });
+    };
+    let with_effects = measure(&with_effects, max_rays);
     let switched = |(own, whole): (f64, f64)| whole.clamp(own - MAX_SWITCHED, own + MAX_SWITCHED);
     Ok(own.zip(with_effects?).map(switched).or(own))
 }
 
-fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+fn measure(scene: &Scene, max_rays: u32) -> Result<Option<f64>, ObserverError> {
     if !scene.view.shows_light() {
         return Ok(None);
     }
-    let samples = samples(scene)?;
+    let samples = samples(scene, max_rays)?;
     let weight: f64 = samples.iter().map(|sample| sample.weight).sum();
     if samples
         .iter()
@@ -108,7 +126,7 @@ fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
 }
 
 /// What the meter's rays see.
-fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
+fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
     let reference = Reference::new(scene)?;
     let (profile, shift) = (disk::Profile::new(scene), Shift::new(scene));
     let lit = disk::lit(scene);
@@ -131,7 +149,12 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
             samples.push(Sample { weight, light });
         }
     };
-    for i in 0..RAYS {
+    let mut on_disk = 0.0;
+    for i in 0..max_rays {
+        let enough = !scene.disk.enabled || on_disk >= ENOUGH_ON_DISK;
+        if i >= RAYS && enough {
+            break;
+        }
         let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
         let direction = axes * scene.camera.looking(pixel, size);
         let trace = reference.trace(direction);
@@ -143,6 +166,7 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
             uncovered *= 1.0 - disk::cover(scene, hit.r);
         }
         let covered = 1.0 - uncovered;
+        on_disk += covered;
         // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
         add(covered, light.max_element() / covered.max(1e-9));
         if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {

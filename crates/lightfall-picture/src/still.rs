@@ -105,8 +105,13 @@ impl Studio {
 
     /// Compares the scene with the settings of another one from the next frame on, or with nothing.
     pub fn compare(&mut self, with: Option<(&Scene, ComparisonMode)>) {
-        self.app.world_mut().resource_mut::<Comparison>().0 =
-            with.map(|(scene, mode)| (Pinned::new(scene), mode));
+        let pinned = with.map(|(scene, mode)| (Pinned::new(scene), mode));
+        self.show_comparison(Comparison(pinned));
+    }
+
+    /// Shows a comparison of the scene from the next frame on.
+    pub fn show_comparison(&mut self, comparison: Comparison) {
+        self.app.world_mut().insert_resource(comparison);
     }
 
     /// The picture of the next frame.

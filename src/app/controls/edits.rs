@@ -70,21 +70,8 @@ pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Scene>
             .iter()
             .find(|preset| preset.number == number)
             .map(|preset| preset.plain_scene().clone()),
-        Action::StepPreset(places) => Some(turned_to(&scene.name, places).clone()),
-        Action::Do(_) | Action::Hold(_) => None,
+        Action::StepPreset(_) | Action::Do(_) | Action::Hold(_) => None,
     }
-}
-
-/// The scene of the preset `places` further on from the one with this name, wrapping around. From
-/// a scene that is no built-in preset: the first or the last preset.
-fn turned_to(name: &str, places: i32) -> &'static Scene {
-    let count = PRESETS.len();
-    let next = match PRESETS.iter().position(|preset| preset.name == name) {
-        Some(now) => (now as i32 + places).rem_euclid(count as i32) as usize,
-        None if places > 0 => 0,
-        None => count - 1,
-    };
-    PRESETS[next].plain_scene()
 }
 
 pub(super) fn switch_spin(scene: &mut Scene, loaded: &Scene) {

@@ -53,6 +53,14 @@ pub fn remark(
         "light.doppler" if !after.effects.doppler && after.effects.beaming => {
             Some("with it goes the beaming by motion".into())
         }
+        "light.beaming"
+            if !after.effects.beaming && after.effects.doppler && after.disk.enabled =>
+        {
+            Some(format!(
+                "what approaches is still bluer and looks hotter, so it stays brighter; {} switches that off, too",
+                key("light.doppler")
+            ))
+        }
         "picture.antialias" if !after.probe.enabled => Some(format!(
             "there is no probe to smooth; {} adds it",
             key("scene.probe")

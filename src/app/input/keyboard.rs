@@ -122,11 +122,14 @@ pub(crate) fn pressed_with_modifiers<'a>(
 
 /// Changes the scene as a control says, if it changes scenes. `input` is the key or button's name.
 fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bindings) {
+    if let Action::StepPreset(places) = control.action {
+        return editor.step_preset(input, places);
+    }
     let before = editor.scene();
     let Some(changed) = edited(control, &before, editor.loaded()) else {
         return;
     };
-    if matches!(control.action, Action::Load(_) | Action::StepPreset(_)) {
+    if matches!(control.action, Action::Load(_)) {
         editor.load(input, Ok(changed));
         return;
     }

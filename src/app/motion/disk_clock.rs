@@ -4,7 +4,8 @@
 //! `disk.time` is the time at the camera, so the clock depends on how the camera moves:
 //!
 //! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
-//!   time goes by, and the fall sets the clock.
+//!   time goes by, and the fall sets the clock. Where a fall has come to its end, the clock stands:
+//!   there is no time left in which anything could be seen.
 //! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
 //!   picture then keeps the stage that the disk is seen at: the clock is set forward by the change of
@@ -63,11 +64,24 @@ pub fn disk_rate_words(rate: f64, mass: HoleMass, units: Units) -> String {
     )
 }
 
+/// What decides how the disk's clock goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ClockDriver {
+    /// A fall or a journey.
+    Flight,
+    /// Nothing: a fall has come to its end, and no more time goes by for who fell.
+    EndOfFall,
+    /// Nothing: the user has paused it.
+    Pause,
+    /// The window's time.
+    Window,
+}
+
 /// The clock in one line, with what it does. Empty where nothing moves.
 #[must_use]
 pub(crate) fn status(
     scene: &Scene,
-    (flies, paused): (bool, bool),
+    driver: ClockDriver,
     bindings: &Bindings,
     units: Units,
 ) -> String {
@@ -76,18 +90,18 @@ pub(crate) fn status(
     }
     let time = units.time(scene.disk.time, |time| format!("{time:.1}"));
     let pause = bindings.label("motion.pause");
-    if flies {
-        format!("Disk's clock {time}")
-    } else if paused {
-        format!("Disk's clock paused at {time} · {pause} goes on")
-    } else if scene.view.shows_light() {
-        let rate = match units {
-            Units::Hole => four_digits(scene.disk.rate),
-            Units::Everyday(_) => units.time(scene.disk.rate, four_digits),
-        };
-        format!("Disk's clock {time}, {rate} per second · {pause} pauses")
-    } else {
-        format!("Disk's clock stands at {time} in this view")
+    match driver {
+        ClockDriver::Flight => format!("Disk's clock {time}"),
+        ClockDriver::EndOfFall => format!("Disk's clock stands at {time}: the fall is over"),
+        ClockDriver::Pause => format!("Disk's clock paused at {time} · {pause} goes on"),
+        ClockDriver::Window if scene.view.shows_light() => {
+            let rate = match units {
+                Units::Hole => four_digits(scene.disk.rate),
+                Units::Everyday(_) => units.time(scene.disk.rate, four_digits),
+            };
+            format!("Disk's clock {time}, {rate} per second · {pause} pauses")
+        }
+        ClockDriver::Window => format!("Disk's clock stands at {time} in this view"),
     }
 }
 
@@ -125,7 +139,8 @@ fn run_disk_clock(
         clock.follow(&scene);
         return;
     }
-    let runs = !(paused.0 || shot.holds_still()) && either(Scene::shows_disk_motion);
+    let held = paused.0 || shot.holds_still() || free_fall.is_over(&scene);
+    let runs = !held && either(Scene::shows_disk_motion);
     let seconds = if runs { time.delta_secs_f64() } else { 0.0 };
     let mut next = scene.clone();
     next.disk.time = clock.advance(seconds, &scene);

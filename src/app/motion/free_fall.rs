@@ -55,6 +55,8 @@ fn time_left(worldline: &Worldline, scene: &Scene, units: Units) -> [String; 2] 
 pub struct FreeFall {
     motion: Option<Motion>,
     pace: f64,
+    /// Where the last fall came to its end.
+    end: Option<Pose>,
 }
 
 /// A motion under way.
@@ -79,6 +81,7 @@ impl Default for FreeFall {
         Self {
             motion: None,
             pace: DEFAULT_PACE,
+            end: None,
         }
     }
 }
@@ -129,6 +132,18 @@ impl FreeFall {
     /// Holds the observer where it is.
     pub fn stop(&mut self) {
         self.motion = None;
+    }
+
+    /// Ends a fall that can go no farther.
+    fn finish(&mut self, scene: &Scene) {
+        self.end = self.is_fall().then(|| pose_of(scene));
+        self.stop();
+    }
+
+    /// Whether the camera is where a fall came to its end.
+    #[must_use]
+    pub fn is_over(&self, scene: &Scene) -> bool {
+        self.motion.is_none() && self.end == Some(pose_of(scene))
     }
 
     /// Lets `seconds` pass at the present pace, but no more than one frame may: while the machine
@@ -340,7 +355,7 @@ pub(super) fn advance_free_fall(
                 again,
                 None,
             );
-            free_fall.stop();
+            free_fall.finish(&next);
         }
         FlightStep::Refused(reason) => editor.say(format!(
             "The fall cannot go on: {}",

@@ -2,7 +2,7 @@
 
 use super::MAX_FRAME_SECONDS;
 use bevy::prelude::Resource;
-use lightfall_core::optics::exposure::metered_exposure;
+use lightfall_core::optics::exposure::{metered_exposure, roughly_metered_exposure};
 use lightfall_core::scene::Scene;
 
 /// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
@@ -23,7 +23,9 @@ pub(crate) struct LightMeter {
     age: f64,
     /// The scene that was measured, without its exposure.
     scene: Option<Scene>,
-    /// The exposure that suits the scene. `None` if the meter sees no light.
+    /// Whether it was measured again, with more rays, after it had stopped to move.
+    at_rest: bool,
+    /// The exposure that suits the scene. `None` before the first measurement.
     wanted: Option<f64>,
 }
 
@@ -58,13 +60,21 @@ impl LightMeter {
     /// Comes nearer to the exposure that suits a scene, for `seconds`.
     pub(crate) fn follow(&mut self, scene: &Scene, seconds: f64) {
         self.age += seconds;
-        if self.age > METER_INTERVAL {
+        if self.age > METER_INTERVAL && scene.view.shows_light() {
             // The light meter does not see what moves in the disk.
             let mut metered = scene.without_presentation().without_clock();
             metered.picture.exposure_ev = 0.0;
-            if self.scene.as_ref() != Some(&metered) {
-                self.wanted = metered_exposure(scene).ok().flatten();
-                (self.scene, self.age) = (Some(metered), 0.0);
+            let rests = self.scene.as_ref() == Some(&metered);
+            if !(rests && self.at_rest) {
+                let measured = if rests {
+                    metered_exposure(scene)
+                } else {
+                    roughly_metered_exposure(scene)
+                };
+                // Where nothing is seen, the scene's own exposure counts.
+                let own = scene.picture.exposure_ev;
+                self.wanted = measured.ok().map(|metered| metered.unwrap_or(own));
+                (self.scene, self.at_rest, self.age) = (Some(metered), rests, 0.0);
             }
         }
         let Some(wanted) = self.wanted else {

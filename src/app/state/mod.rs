@@ -12,6 +12,7 @@ pub(crate) mod notice;
 pub(crate) mod overlays;
 pub(crate) mod paused;
 pub(crate) mod preferences;
+pub(crate) mod preset_row;
 pub(crate) mod rebinding;
 pub(crate) mod resolution;
 pub(crate) mod scene_editor;

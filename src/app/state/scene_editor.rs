@@ -4,6 +4,7 @@
 use super::disk_clock::DiskClock;
 use super::history::History;
 use super::light_meter::LightMeter;
+use super::preset_row::{LoadedFile, RowPreset, preset_beside};
 use super::resolution::Resolution;
 use super::title::Title;
 use super::toast::Toast;
@@ -13,12 +14,12 @@ use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use glam::DMat3;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Frame, Picture, Scene};
-use lightfall_platform::storage::missing_stars;
+use lightfall_core::scene::{Frame, Picture, Scene, presets};
+use lightfall_platform::storage::{missing_stars, own_presets, read_scene};
 use lightfall_render::{
     CurrentFrame, CurrentScene, FrameScene, StarCatalogue, draw_scene_in_frame,
 };
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The scene, what drives its frame, and the way to change both.
@@ -31,12 +32,14 @@ pub(crate) struct SceneEditor<'w> {
     history: ResMut<'w, History>,
     toast: ResMut<'w, Toast>,
     title: ResMut<'w, Title>,
+    file: ResMut<'w, LoadedFile>,
     stars: Res<'w, StarCatalogue>,
     time: Res<'w, Time<Real>>,
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(FrameScene, write_frame.before(draw_scene_in_frame));
+    app.init_resource::<LoadedFile>()
+        .add_systems(FrameScene, write_frame.before(draw_scene_in_frame));
 }
 
 /// Writes the frame, once everything has happened that drives it.
@@ -129,15 +132,65 @@ impl SceneEditor<'_> {
                 self.history
                     .note_loaded(&before, &loaded, self.time.elapsed());
                 *self.title = Title::of(&loaded);
+                self.file.0 = None;
                 self.put(loaded);
             });
         self.report(asker, loaded)
+    }
+
+    /// The file that the scene was loaded from, or saved to.
+    pub(crate) fn loaded_file(&self) -> Option<&Path> {
+        self.file.0.as_deref()
+    }
+
+    /// Notes that the present scene is that of a file, because it was saved there.
+    pub(crate) fn note_saved(&mut self, file: &Path) {
+        self.file.0 = Some(file.to_owned());
+    }
+
+    /// Loads the preset `places` further on among the built-in ones and the user's own. A preset that
+    /// cannot be loaded is named and passed over.
+    pub(crate) fn step_preset(&mut self, asker: &str, places: i32) {
+        let own = own_presets();
+        let name = &self.scene.name;
+        // The program may have begun with one of them.
+        let named = |file: &&PathBuf| file.file_stem().is_some_and(|stem| stem == name.as_str());
+        let file = self.file.0.as_ref().or_else(|| own.iter().find(named));
+        let mut now = match file {
+            Some(file) => RowPreset::Own(file.clone()),
+            None => RowPreset::BuiltIn(name.clone()),
+        };
+        let mut faults = Vec::new();
+        loop {
+            now = preset_beside(&now, own.clone(), places);
+            match &now {
+                RowPreset::BuiltIn(name) => {
+                    let preset = presets::find(name).map(|preset| preset.plain_scene().clone());
+                    let preset = preset.ok_or_else(|| format!("{name} is no preset"));
+                    self.load(asker, preset);
+                    break;
+                }
+                RowPreset::Own(file) => {
+                    let scene = read_scene(file, &[]).map_err(|error| error.to_string());
+                    if self.load_file(file, scene) {
+                        break;
+                    }
+                    faults.push(self.toast.text().to_owned());
+                }
+            }
+        }
+        for fault in faults {
+            self.toast.add(&fault);
+        }
     }
 
     /// As [`load`](Self::load), for the scene of a file. Says so if the file is a picture of other
     /// stars than those at hand.
     pub(crate) fn load_file(&mut self, file: &Path, loaded: Result<Scene, String>) -> bool {
         let done = self.load("", loaded);
+        if done {
+            self.file.0 = Some(file.to_owned());
+        }
         let remark = missing_stars(file.as_os_str(), self.scene.scene(), &self.stars);
         if let Some(remark) = remark.filter(|_| done) {
             self.say(remark);

@@ -13,7 +13,7 @@ use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, PictureError, Still, Studio};
 use lightfall_platform::storage::{PictureRecord, WriteError, file_safe_name, pictures_folder};
 use lightfall_platform::worker::Worker;
-use lightfall_render::StarCatalogue;
+use lightfall_render::{Comparison, StarCatalogue};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -23,9 +23,9 @@ const MAX_SAVING: Duration = Duration::from_secs(600);
 
 /// What is to be written.
 enum Order {
-    /// The picture of a scene, at that scene's size, under these stars. The second scene is the one
-    /// that is drawn.
-    Picture(Box<[Scene; 2]>, StarCatalogue),
+    /// The picture of a scene, at that scene's size, under these stars, beside what it is compared
+    /// with. The second scene is the one that is drawn.
+    Picture(Box<[Scene; 2]>, StarCatalogue, Box<Comparison>),
     /// What the window shows, with everything that is drawn over the picture, whose scene has this
     /// name and whose record is given.
     Window(String, PictureRecord, Box<Image>),
@@ -57,7 +57,7 @@ fn save_picture(
     mut asked: MessageReader<AppCommand>,
     mut editor: SceneEditor,
     writer: Res<ScreenshotWriter>,
-    stars: Res<StarCatalogue>,
+    (stars, comparison): (Res<StarCatalogue>, Res<Comparison>),
 ) {
     if AppCommand::Screenshot.count(&mut asked) > 0 {
         let scene = editor.scene_in_window();
@@ -71,7 +71,9 @@ fn save_picture(
             picture::filled(&scene)
         };
         let scenes = Box::new([scene, drawn]);
-        writer.0.ask(Order::Picture(scenes, *stars));
+        writer
+            .0
+            .ask(Order::Picture(scenes, *stars, Box::new(comparison.clone())));
         editor.say_for(MAX_SAVING, "Saving the picture");
     }
 }
@@ -106,7 +108,7 @@ fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
 /// The picture cannot be drawn, encoded or written; one sentence.
 fn write(order: Order, folder: &Path) -> Result<String, String> {
     let (name, record, still) = match order {
-        Order::Picture(scene, StarCatalogue(stars)) => {
+        Order::Picture(scene, StarCatalogue(stars), comparison) => {
             let [scene, drawn] = *scene;
             let options = HeadlessOptions {
                 stars,
@@ -115,6 +117,10 @@ fn write(order: Order, folder: &Path) -> Result<String, String> {
             let fault = |error: PictureError| error.to_string();
             let size = scene.picture.size();
             let mut studio = Studio::with_options(&drawn, size, options).map_err(fault)?;
+            if comparison.0.is_some() {
+                studio.show_comparison(*comparison);
+                studio.settle().map_err(fault)?;
+            }
             let still = studio.picture().map_err(fault)?;
             (scene.name.clone(), studio.record(&scene), still)
         }

@@ -5,7 +5,7 @@ use super::presence::Presence;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
-use crate::app::motion::disk_clock;
+use crate::app::motion::disk_clock::{self, ClockDriver};
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
@@ -145,11 +145,17 @@ pub(super) fn show_read_outs(
     }
     // The flying speed is not a speed of the observer.
     motion.retain(|read_out| !moves || read_out.label != SPEED);
+    let driver = match (moves, paused.0) {
+        (true, _) => ClockDriver::Flight,
+        _ if free_fall.is_over(&scene) => ClockDriver::EndOfFall,
+        (_, true) => ClockDriver::Pause,
+        _ => ClockDriver::Window,
+    };
     let modes = [
         orbit.status(&bindings),
         journey(&player, paused.0, &bindings),
         free_fall.clocks(&scene, units),
-        disk_clock::status(&scene, (moves, paused.0), &bindings, units),
+        disk_clock::status(&scene, driver, &bindings, units),
     ];
     let modes: Vec<_> = modes.into_iter().filter(|line| !line.is_empty()).collect();
     // Where there is no room for all lines, the modes are shown alone, or the place. A part of them in

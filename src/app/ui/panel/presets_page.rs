@@ -24,8 +24,6 @@ const MAX_NAME_LETTERS: usize = 60;
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct PresetsPage {
-    /// The user's preset that is open, and its scene as it was loaded.
-    own: Option<(PathBuf, Scene)>,
     /// The name to save under.
     name: String,
     /// The file to load.
@@ -46,8 +44,6 @@ impl PresetsPage {
         editor: &mut SceneEditor,
         clipboard: &Clipboard,
     ) {
-        // Loading another scene closes the preset.
-        self.own.take_if(|(_, loaded)| loaded != editor.loaded());
         heading(ui, "Built in");
         show_built_in(ui, editor);
         ui.add_space(10.0);
@@ -81,9 +77,12 @@ impl PresetsPage {
                 let path = egui::TextEdit::singleline(&mut self.path)
                     .hint_text("Path of a preset or picture")
                     .desired_width(ui.available_width() - 150.0);
-                ui.add(path);
+                let field = ui.add(path);
+                let entered =
+                    field.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
                 let given = !self.path.trim().is_empty();
-                if ui.add_enabled(given, egui::Button::new("Open")).clicked() {
+                let open = ui.add_enabled(given, egui::Button::new("Open"));
+                if open.clicked() || entered && given {
                     self.open(editor, &PathBuf::from(self.path.trim()));
                 }
             }
@@ -120,7 +119,7 @@ impl PresetsPage {
             note(ui, "None yet.");
         }
         for file in files {
-            let is_open = self.own.as_ref().is_some_and(|(own, _)| *own == file);
+            let is_open = editor.loaded_file() == Some(&*file);
             if entry(ui, is_open, &stem(&file), "").clicked() {
                 self.open(editor, &file);
             }
@@ -177,11 +176,8 @@ impl PresetsPage {
     /// Shows the scene that a file holds.
     fn load(&mut self, editor: &mut SceneEditor, file: &Path, scene: Result<Scene, String>) {
         (self.replace, self.report) = (None, String::new());
-        if editor.load_file(file, scene) {
-            self.own = Some((file.to_owned(), editor.loaded().clone()));
-            if file.parent() == presets_folder().as_deref() {
-                self.name = stem(file).into_owned();
-            }
+        if editor.load_file(file, scene) && file.parent() == presets_folder().as_deref() {
+            self.name = stem(file).into_owned();
         }
     }
 
@@ -196,7 +192,7 @@ impl PresetsPage {
                 self.report = format!("Saved as {}", scene.name);
                 editor.change("", scene);
                 editor.say(format!("Saved: {}", file.display()));
-                self.own = Some((file.to_owned(), editor.loaded().clone()));
+                editor.note_saved(file);
                 self.files = None;
             }
             Err(error) => editor.say(error.to_string()),
