@@ -13,7 +13,7 @@ use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
 use crate::app::ui::screen::{MARGIN, Screen, draw_below_boxes};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
-use key::{Tracing, show_key};
+use key::{Key, Tracing, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, quick_guides, traced_guides};
@@ -102,17 +102,18 @@ fn show_guides(
         .map_or(&[][..], |(_, guides)| guides);
 
     let known: Vec<Guide> = quick.iter().chain(slow).cloned().collect();
-    show_key(
-        (context, layout),
+    let key = Key {
         scene,
-        &known,
-        &placement,
-        (preferences.settings.units(), preferences.settings.mass()),
-        Tracing {
+        guides: &known,
+        placement: &placement,
+        units: preferences.settings.units(),
+        mass: preferences.settings.mass(),
+        tracing: Tracing {
             waiting,
             right_side: picture.divider(context).is_some(),
         },
-    );
+    };
+    show_key((context, layout), key);
     let strength = if waiting { STALE } else { 1.0 };
     draw_below_boxes(context, "guides", visible, |painter| {
         let labels = draw_lines(painter, &placement, scene.kerr(), quick, slow, strength);
