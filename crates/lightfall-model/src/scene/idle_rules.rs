@@ -175,6 +175,8 @@ pub(super) const RULES: &[Rule] = &[
         "the disk begins at the innermost stable orbit in any case", "disk.inner=6"),
     rule(&[&["disk.tilt_deg"]], ALL, |scene| scene.hole.spin != 0.0,
         "around a hole that spins the disk lies in the equator", "hole.spin=0"),
+    rule(&[&["disk.node_deg"]], ALL, |scene| scene.hole.spin != 0.0,
+        "around a hole that spins the disk lies in the equator; hole.spin=0 with disk.tilt_deg=30 uses it", ""),
     rule(&[&["disk.node_deg"]], ALL, |scene| !scene.disk.is_tilted(),
         "the disk is not tilted", "disk.tilt_deg=30"),
 

@@ -81,7 +81,11 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
         rows.add(&format!("{which} disk hit"), Some(place));
         let light =
             temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
-        let shift = if g > 1.0 { "   blueshift" } else { "   redshift" };
+        let shift = if g > 1.0 {
+            "   blueshift"
+        } else {
+            "   redshift"
+        };
         rows.add(shift, light);
         let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
         rows.add("   emitted", delay.map(earlier));
