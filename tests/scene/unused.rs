@@ -104,13 +104,23 @@ fn values_of_presets_journeys_and_traces_that_change_nothing_are_named() {
     );
     let journey =
         "[[keyframe]]\ntime = 0\ndisk_node_deg = 10\nr = 20\n[[keyframe]]\ntime = 5\nr = 10\n";
-    assert_eq!(
-        render(
-            "-o a-#.png --frames 0..1 --journey tilt.toml",
-            &[("tilt.toml", journey)]
+    // Around a hole that spins a tilt alone would be refused.
+    for (spin, reason) in [
+        (
+            "0.9",
+            "around a hole that spins the disk lies in the equator; hole.spin=0 with disk.tilt_deg=30 uses it",
         ),
-        "lightfall: tilt.toml: disk_node_deg changes nothing: the disk is not tilted; --set disk.tilt_deg=30 uses it\n"
-    );
+        (
+            "0",
+            "the disk is not tilted; --set disk.tilt_deg=30 uses it",
+        ),
+    ] {
+        let line = format!("-o a-#.png --frames 0..1 --journey tilt.toml --spin {spin}");
+        assert_eq!(
+            render(&line, &[("tilt.toml", journey)]),
+            format!("lightfall: tilt.toml: disk_node_deg changes nothing: {reason}\n")
+        );
+    }
 }
 
 #[test]
