@@ -107,7 +107,7 @@ fn values_of_presets_journeys_and_traces_that_change_nothing_are_named() {
     // Around a hole that spins a tilt alone would be refused.
     for (spin, reason) in [
         (
-            "0.9",
+            "0.5",
             "around a hole that spins the disk lies in the equator; hole.spin=0 with disk.tilt_deg=30 uses it",
         ),
         (

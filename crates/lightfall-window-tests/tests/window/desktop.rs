@@ -194,7 +194,8 @@ impl Desktop {
 
     fn wait_for_window(&mut self) -> String {
         loop {
-            let found = self.xdotool(&["search", "--name", "Lightfall"]);
+            // A window that is not shown yet cannot have the keyboard.
+            let found = self.xdotool(&["search", "--onlyvisible", "--name", "Lightfall"]);
             if let Some(window) = found.lines().next() {
                 return window.to_owned();
             }
