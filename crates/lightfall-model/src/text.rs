@@ -43,7 +43,8 @@ pub enum NotText {
 }
 
 /// Decodes a text: UTF-8 with or without a byte order mark, or UTF-16 with one, as Windows
-/// PowerShell writes it.
+/// PowerShell writes it. Lines that all end in a carriage return alone, as old programs of the Mac
+/// wrote them, end in a line feed afterwards.
 ///
 /// # Errors
 /// The bytes are in another encoding, or are not text.
@@ -60,7 +61,15 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
                 line: line_of(text.as_bytes(), at),
             }),
         ),
-        None => Ok(text),
+        None => Ok(with_line_feeds(text)),
+    }
+}
+
+fn with_line_feeds(text: String) -> String {
+    if text.contains('\r') && !text.contains('\n') {
+        text.replace('\r', "\n")
+    } else {
+        text
     }
 }
 

@@ -64,6 +64,10 @@ fn a_refusal_names_the_line_the_column_what_was_given_and_what_is_allowed() {
             "my.csv: line 1: b_v = \"NaN\" is refused: it must be a number, or empty if it is not known",
         ),
         (
+            "# note\n1,2,3,0.5,\"Alpha\n4,5,6\n7,8,9,,\"Beta\"\n",
+            "my.csv: line 2: a quotation mark is not closed: \"Alpha\\n4,5,6\\n7,8,9,,Beta\\\"\"; a field ends in the line in which it begins",
+        ),
+        (
             &named,
             "my.csv: line 1: name = \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\" is refused: it must be a name of at most 60 characters",
         ),

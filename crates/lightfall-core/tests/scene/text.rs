@@ -25,6 +25,16 @@ fn utf_8_and_utf_16_with_a_byte_order_mark_give_the_same_text() {
 }
 
 #[test]
+fn carriage_returns_alone_become_line_feeds() {
+    assert_eq!(
+        decode(b"a = 1\rb = 2\r".to_vec()),
+        Ok("a = 1\nb = 2\n".into())
+    );
+    let both = "a = 1\r\nb = \"\r\"\n";
+    assert_eq!(decode(both.into()), Ok(both.into()));
+}
+
+#[test]
 fn another_encoding_is_named() {
     let orders: [(fn(u16) -> [u8; 2], _); 2] = [
         (u16::to_le_bytes, "Unicode"),

@@ -6,6 +6,7 @@ mod layout;
 mod row;
 
 pub use error::CatalogueError;
+use error::shortened;
 pub use format::{MAX_NAME_CHARS, MAX_STARS};
 
 use super::photometry::Star;
@@ -92,6 +93,13 @@ impl Catalogue {
                 continue;
             }
             let line = || row::line(text, &record);
+            if let Some(field) = record.iter().find(|field| field.contains(['\n', '\r'])) {
+                return Err(CatalogueError::Quote {
+                    origin: origin.to_owned(),
+                    line: line(),
+                    given: shortened(field),
+                });
+            }
             let layout = match &layout {
                 Some(known) => known,
                 None => match Layout::of_header(origin, line, &record)? {

@@ -34,6 +34,15 @@ pub enum CatalogueError {
         given: String,
         allowed: String,
     },
+    /// A field goes on in the next line: its quotation mark is not closed.
+    #[error(
+        "{origin}: line {line}: a quotation mark is not closed: \"{given}\"; a field ends in the line in which it begins"
+    )]
+    Quote {
+        origin: String,
+        line: u64,
+        given: String,
+    },
     /// There are more stars than a catalogue may have.
     #[error(
         "{origin}: line {line} is one star too many: a catalogue has at most {MAX_STARS} stars"
