@@ -16,7 +16,7 @@ const WHITE_SHARE: f64 = 0.47;
 const SATURATION: f64 = 3.5;
 
 /// How much of the light of nebulae is shown.
-const NEBULAR_SHARE: f64 = 0.6;
+const NEBULAR_SHARE: f64 = 0.3;
 
 /// The lights of a texel as a photograph shows them: those of the bluer and of the redder stars, and
 /// that of nebulae. Light in V, in stars of V = 0 per steradian.

@@ -46,9 +46,9 @@ impl Materials {
                 ..default()
             })
         };
-        let foil = surface([0.95, 0.66, 0.25], 0.9, 0.34);
-        let metal = surface([0.75, 0.76, 0.78], 0.9, 0.4);
-        let dark_metal = surface([0.16, 0.15, 0.15], 0.8, 0.45);
+        let foil = surface([0.95, 0.66, 0.25], 0.45, 0.38);
+        let metal = surface([0.75, 0.76, 0.78], 0.4, 0.42);
+        let dark_metal = surface([0.16, 0.15, 0.15], 0.4, 0.45);
         let paint = surface([0.9, 0.89, 0.86], 0.0, 0.7);
         let cells = surface([0.03, 0.05, 0.16], 0.45, 0.22);
         let mut lamp = |red, green, blue| {

@@ -29,13 +29,13 @@ struct DiskLamp {
 }
 
 /// Number of rings of lamps.
-const RINGS: usize = 3;
+const RINGS: usize = 4;
 /// Number of lamps on a ring.
-const LAMPS: usize = 6;
+const LAMPS: usize = 16;
 
 /// Ambient light of the stars, in the units of traced light. It is a good deal brighter than the
 /// real stars' light, so that the shape of the dark side is visible.
-const STARLIGHT: f32 = 0.05;
+const STARLIGHT: f32 = 0.02;
 
 /// Range of a lamp, in r_s.
 const LAMP_RANGE: f32 = 1e4;
