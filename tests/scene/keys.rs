@@ -158,7 +158,13 @@ fn a_skipped_observer_is_named_with_the_reason() {
     assert_eq!(feedback_of(&scene, "scene.observer"), off_plane);
     // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
     scene.observer.kind = ObserverKind::Static;
+    assert_eq!(
+        feedback_of(&scene, "scene.observer"),
+        "without spin this is hovering at rest"
+    );
+    scene.hole.spin = 0.5;
     assert_eq!(feedback_of(&scene, "scene.observer"), "");
+    scene.hole.spin = 0.0;
     (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Zamo);
     assert_eq!(feedback_of(&scene, "scene.observer"), "");
     // Inside the horizon only free fall is left, and the key leads back to it.

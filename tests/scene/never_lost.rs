@@ -8,6 +8,9 @@ use lightfall::app::{
 };
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
+use lightfall_core::optics::camera_rays::CameraRays;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Camera, ObserverKind, Scene, presets};
 
 const FRAME: f64 = 1.0 / 60.0;
@@ -21,6 +24,25 @@ fn placed(spin: f64, kind: ObserverKind, r: f64, theta_deg: f64) -> Drawable {
     (scene.hole.spin, scene.observer.kind) = (spin, kind);
     (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
     Drawable::new(scene).unwrap()
+}
+
+/// The light of a uniform sky in the picture, in any unit: g^4 of the rays that come from it.
+fn light_of_sky(scene: &Scene) -> f64 {
+    let (reference, rays) = (
+        Reference::new(scene).unwrap(),
+        CameraRays::new(scene).unwrap(),
+    );
+    let axes = scene.camera.tetrad_from_camera();
+    let size = scene.picture.size().as_dvec2();
+    let pixels = (0..16).flat_map(|x| (0..9).map(move |y| DVec2::new(x.into(), y.into())));
+    let looking = pixels.map(|pixel| {
+        let at = (pixel + 0.5) / DVec2::new(16.0, 9.0) * size;
+        axes * scene.camera.looking(at, size)
+    });
+    looking
+        .filter(|ray| reference.trace(*ray).outcome == Outcome::Sky)
+        .map(|ray| rays.photon(ray).energy.powi(-4))
+        .sum()
 }
 
 /// The scene after thrust has been held for so many seconds, and what stopped it in the last frame.
@@ -150,13 +172,37 @@ fn the_camera_faces_the_hole_level_and_then_outward() {
             assert!(axes.z_axis.dot(sign * direction) > 1.0 - 1e-12);
             // Level: the camera's right is perpendicular to growing theta.
             assert!(axes.x_axis.y.abs() < 1e-9 && axes.y_axis.y < 0.0, "{axes}");
-            let next = if aim == Aim::Hole {
-                Aim::Outward
-            } else {
-                Aim::Hole
+            let inside = r < scene.kerr().horizon();
+            let next = match aim {
+                Aim::Hole if inside => Aim::Edge,
+                Aim::Hole => Aim::Outward,
+                _ => Aim::Hole,
             };
             assert_eq!(next_aim(&turned), next);
         }
+    }
+}
+
+/// At the end of a fall the sky ahead is a hole, and what is left of the sky behind is too red to be
+/// seen. Its light is gathered at the edge of the hole.
+#[test]
+fn inside_the_horizon_the_key_faces_the_edge_where_the_light_is() {
+    for (spin, r) in [(0.0, 0.1), (0.0, 0.5), (0.9, 0.4), (0.998, 0.5)] {
+        let mut scene = placed(spin, ObserverKind::Rain, r, 75.0).scene().clone();
+        let mut seen = Vec::new();
+        for aim in [Aim::Hole, Aim::Edge, Aim::Outward] {
+            scene.camera.set_orientation(aimed(&scene, aim).unwrap());
+            seen.push(light_of_sky(&scene));
+            let next = [Aim::Edge, Aim::Outward, Aim::Hole][aim as usize];
+            assert_eq!(next_aim(&scene), next, "spin {spin}, r {r}");
+        }
+        assert!(seen[1] > seen[0] && seen[1] > seen[2], "{seen:?}");
+        // A camera that looks anywhere else is turned to the light first.
+        scene
+            .camera
+            .set_orientation(aimed(&scene, Aim::Hole).unwrap());
+        scene.camera.yaw_deg += 30.0;
+        assert_eq!(next_aim(&scene), Aim::Edge);
     }
 }
 
@@ -191,6 +237,7 @@ fn the_orbit_camera_goes_round_at_the_same_radius_always_facing_the_hole() {
         for frame in 0..600 {
             let around = DVec2::new(0.02, if frame < 300 { 0.011 } else { -0.013 });
             let step = OrbitStep {
+                roll: 0.0,
                 around,
                 rise: 0.0,
                 time: 0.0,
@@ -207,6 +254,7 @@ fn the_orbit_camera_goes_round_at_the_same_radius_always_facing_the_hole() {
         }
     }
     let step = OrbitStep {
+        roll: 0.0,
         around: DVec2::ZERO,
         rise: -1.0,
         time: 1.0,
@@ -217,6 +265,30 @@ fn the_orbit_camera_goes_round_at_the_same_radius_always_facing_the_hole() {
     let held = orbited(&inside, &step).unwrap();
     assert_eq!(held.stopped_by, Some(Barrier::Horizon));
     assert_eq!(held.scene.camera, inside.camera);
+}
+
+#[test]
+fn the_orbit_camera_keeps_the_roll_that_the_hand_gives_it() {
+    let mut scene = placed(0.9, ObserverKind::Zamo, 6.0, 70.0);
+    let level = aimed(&scene, Aim::Hole).unwrap();
+    let mut facing = scene.scene().clone();
+    facing.camera.set_orientation(level);
+    scene = Drawable::new(facing).unwrap();
+    for frame in 0..100 {
+        let step = OrbitStep {
+            around: DVec2::new(0.02, 0.005),
+            rise: 0.1,
+            time: 0.01,
+            roll: if frame < 50 { 0.01 } else { 0.0 },
+        };
+        scene = orbited(&scene, &step).unwrap().scene;
+    }
+    let level = aimed(&scene, Aim::Hole).unwrap();
+    let axes = scene.camera.tetrad_from_camera();
+    assert!(axes.z_axis.dot(level.z_axis) > 1.0 - 1e-12);
+    // Clockwise: the camera's up leans to its right.
+    let [cos, sin] = [axes.y_axis.dot(level.y_axis), axes.y_axis.dot(level.x_axis)];
+    assert!((sin.atan2(cos) - 0.5).abs() < 1e-9, "{sin} {cos}");
 }
 
 #[test]

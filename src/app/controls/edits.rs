@@ -8,6 +8,8 @@ use lightfall_core::scene::{Method, Scene, Value, View, field};
 
 /// The spin that is switched on where the loaded scene has none.
 const DEFAULT_SPIN: f64 = 0.9;
+/// The keys of the exposure round it to one part in so many.
+const EXPOSURE_DIGITS: f64 = 1e6;
 /// As many levels as eight bits can tell apart.
 pub(crate) const ALL_LEVELS: u32 = 256;
 
@@ -29,7 +31,9 @@ impl Edit {
             Self::Show(view) => scene.view = view,
             Self::Expose(step) => {
                 scene.picture.automatic_exposure = false;
-                scene.picture.exposure_ev += step;
+                // Decimals stay decimals: up and down again leaves what was.
+                let exposure = scene.picture.exposure_ev + step;
+                scene.picture.exposure_ev = (exposure * EXPOSURE_DIGITS).round() / EXPOSURE_DIGITS;
             }
             Self::By(edit) => edit(scene, loaded),
         }

@@ -24,6 +24,9 @@ pub fn remark(
         id.map_or(String::new(), |id| format!("; {} {does}", key(id)))
     };
     match control.id {
+        "scene.observer" if after.hole.spin == 0.0 && after.observer.kind == ObserverKind::Zamo => {
+            Some("without spin this is hovering at rest".into())
+        }
         "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {
             Some(format!("the method is now {}", after.method.word()))

@@ -25,15 +25,19 @@ impl Typing {
     }
 }
 
-/// Whether the mouse is over the panel at the right. A click that misses a number field leaves the
-/// number to the keyboard, so that the keys of numbers do nothing there.
+/// Whether the mouse is over the panel at the right while its page has fields for numbers. A click that
+/// misses such a field leaves the number to the keyboard, so that the keys of numbers do nothing there.
 #[derive(Resource, Default)]
-pub(crate) struct MouseOverPanel(bool);
+pub(crate) struct MouseOverPanel {
+    is_over: bool,
+    /// Whether the panel's page has many fields for numbers.
+    pub(crate) page_has_numbers: bool,
+}
 
 impl MouseOverPanel {
     /// Whether a key is kept from its control.
     pub(crate) fn keeps(&self, key: KeyCode) -> bool {
-        self.0 && types_numbers(key)
+        self.is_over && self.page_has_numbers && types_numbers(key)
     }
 }
 
@@ -90,7 +94,7 @@ fn detect_typing(
     let context = context.get_mut();
     let mouse = context.input(|input| input.pointer.hover_pos());
     let layer = mouse.and_then(|mouse| context.layer_id_at(mouse));
-    over_panel.0 = layer.is_some_and(|layer| layer.id == egui::Id::new(PANEL));
+    over_panel.is_over = layer.is_some_and(|layer| layer.id == egui::Id::new(PANEL));
     let in_text = context.text_edit_focused();
     typing.has_keyboard = in_text || rebinding.0.is_some() || menu.is_open();
     if !in_text && let Some(focused) = context.memory(|memory| memory.focused()) {

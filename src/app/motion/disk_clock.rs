@@ -18,6 +18,7 @@ use super::free_fall::{FreeFall, advance_free_fall, keys_change_disk_rate};
 use super::journey::advance_journey;
 use super::journey_player::JourneyPlayer;
 use super::pilot::steer_camera;
+use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::disk_clock::DiskClock;
@@ -77,7 +78,8 @@ pub(crate) enum ClockDriver {
     Window,
 }
 
-/// The clock in one line, with what it does. Empty where nothing moves.
+/// The clock in one line, with what it does. Empty where nothing moves, and in a flight inside the
+/// horizon.
 #[must_use]
 pub(crate) fn status(
     scene: &Scene,
@@ -91,6 +93,11 @@ pub(crate) fn status(
     let time = units.time(scene.disk.time, |time| format!("{time:.1}"));
     let pause = bindings.label("motion.pause");
     match driver {
+        // Inside the horizon the clock counts another time, and none far away can be compared.
+        ClockDriver::Flight if is_inside(scene) => String::new(),
+        ClockDriver::EndOfFall if is_inside(scene) => {
+            "Disk's clock stands: the fall is over".into()
+        }
         ClockDriver::Flight => format!("Disk's clock {time}"),
         ClockDriver::EndOfFall => format!("Disk's clock stands at {time}: the fall is over"),
         ClockDriver::Pause => format!("Disk's clock paused at {time} · {pause} goes on"),

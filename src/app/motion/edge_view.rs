@@ -1,7 +1,7 @@
 //! Keeps the edge of the shadow in view during a fall. The shadow grows until it fills any view
 //! straight ahead, and the sky that is left lies at its edge.
 
-use super::facing::Facing;
+use super::facing::{Facing, LeftAngles};
 use super::free_fall::{FreeFall, advance_free_fall};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::scene_editor::SceneEditor;
@@ -52,18 +52,26 @@ pub fn edge_in_view(scene: &Scene, was_turned: bool, max_turn: f64) -> Option<DM
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, keep_edge_in_view.after(advance_free_fall));
+    app.init_resource::<EdgeView>()
+        .add_systems(Update, keep_edge_in_view.after(advance_free_fall));
 }
 
 /// Whether the fall or the user orients the camera.
-#[derive(Default)]
-struct EdgeView {
-    /// Yaw, pitch and roll as they were left. Other values were set by hand.
-    left_at: Option<[f64; 3]>,
+#[derive(Resource, Default)]
+pub(crate) struct EdgeView {
+    /// Other angles were set by hand.
+    left: LeftAngles,
     /// Whether the fall has turned the camera.
     was_turned: bool,
     /// Whether the camera was turned by hand, and stays as it is until the next fall.
     released: bool,
+}
+
+impl EdgeView {
+    /// Follows a fall. See [`LeftAngles::carry`].
+    pub(crate) fn carry(&mut self, before: &Scene, after: &Scene) {
+        self.left.carry(before, after);
+    }
 }
 
 /// Turns a falling camera for one frame.
@@ -73,7 +81,7 @@ fn keep_edge_in_view(
     facing: Res<Facing>,
     mut commands: MessageReader<AppCommand>,
     mut editor: SceneEditor,
-    mut view: Local<EdgeView>,
+    mut view: ResMut<EdgeView>,
 ) {
     let faces = AppCommand::Face.count(&mut commands) > 0;
     if !free_fall.is_fall() {
@@ -81,10 +89,8 @@ fn keep_edge_in_view(
         return;
     }
     let scene = editor.drawn_scene();
-    let angles = scene.camera.angles();
-    let turned = view.left_at.is_some_and(|left| left != angles) && !facing.has_left(&scene);
-    view.released |= faces || turned;
-    view.left_at = Some(angles);
+    view.released |= faces || view.left.were_changed(&scene) && !facing.has_left(&scene);
+    view.left.note(&scene);
     if view.released || facing.is_turning() || !editor.has_changed() {
         return;
     }
@@ -94,5 +100,5 @@ fn keep_edge_in_view(
     };
     editor.turn(axes);
     view.was_turned = true;
-    view.left_at = Some(editor.scene().camera.angles());
+    view.left.note(&editor.scene());
 }

@@ -1,5 +1,6 @@
-//! Turning the camera to face the hole, or outward, with the disk's normal up.
+//! Turning the camera to face the hole, its edge, or outward, with the disk's normal up.
 
+use super::steering::is_inside;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -9,27 +10,79 @@ use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
 use lightfall_render::CurrentScene;
+use std::f64::consts::PI;
 
 /// Seconds that a turn takes.
 const TURN_SECONDS: f64 = 0.6;
-/// A camera that looks this near to the hole's middle faces the hole, as a cosine: 3 degrees.
-const FACES_HOLE: f64 = 0.9986;
+/// A camera that looks this near to where it would be turned, in radians, looks there: 3 degrees.
+const FACES: f64 = 0.05;
 
 /// What the camera turns to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
     /// The middle of the hole, where it appears to the camera.
     Hole,
+    /// The edge of the hole above its middle. Inside the horizon the light of the sky is gathered
+    /// there, while straight outward hardly any is left.
+    Edge,
     /// The opposite direction, where the most of the sky is.
     Outward,
+}
+
+impl Aim {
+    /// The aim that the key turns to after this one.
+    fn next(self, scene: &Scene) -> Self {
+        match self {
+            Self::Hole if is_inside(scene) => Self::Edge,
+            Self::Hole | Self::Edge => Self::Outward,
+            Self::Outward => Self::Hole,
+        }
+    }
+
+    /// What the window says of it.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Hole => "Facing the hole",
+            Self::Edge => "Facing the hole's edge, where the light of the sky is",
+            Self::Outward => "Facing outward",
+        }
+    }
 }
 
 /// The turn under way, if there is one.
 #[derive(Resource, Default)]
 pub(crate) struct Facing {
     turn: Option<Turn>,
-    /// Yaw, pitch and roll as the last turn left them.
-    left_at: Option<[f64; 3]>,
+    left: LeftAngles,
+}
+
+/// Yaw, pitch and roll as a system left them, by which it notices that something else has turned the
+/// camera.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct LeftAngles(Option<[f64; 3]>);
+
+impl LeftAngles {
+    /// Notes how the camera looks.
+    pub(crate) fn note(&mut self, scene: &Scene) {
+        self.0 = Some(scene.camera.angles());
+    }
+
+    /// Whether the camera looks as it was left.
+    pub(crate) fn are_those_of(&self, scene: &Scene) -> bool {
+        self.0 == Some(scene.camera.angles())
+    }
+
+    /// Whether anything was noted, and the camera looks elsewhere.
+    pub(crate) fn were_changed(&self, scene: &Scene) -> bool {
+        self.0.is_some() && !self.are_those_of(scene)
+    }
+
+    /// Follows a fall, which carries the camera along and turns it on the axes of its new place.
+    pub(crate) fn carry(&mut self, before: &Scene, after: &Scene) {
+        if self.are_those_of(before) {
+            self.note(after);
+        }
+    }
 }
 
 struct Turn {
@@ -47,7 +100,7 @@ impl Facing {
             from: scene.camera.tetrad_from_camera(),
             seconds: 0.0,
         });
-        self.left_at = Some(scene.camera.angles());
+        self.left.note(scene);
     }
 
     /// Leaves the camera as it is.
@@ -63,7 +116,12 @@ impl Facing {
     /// Whether the camera looks where the last turn left it. Any other angles were set by something
     /// else, which ends the turn.
     pub(crate) fn has_left(&self, scene: &Scene) -> bool {
-        self.left_at == Some(scene.camera.angles())
+        self.left.are_those_of(scene)
+    }
+
+    /// Follows a fall. See [`LeftAngles::carry`].
+    pub(crate) fn carry(&mut self, before: &Scene, after: &Scene) {
+        self.left.carry(before, after);
     }
 }
 
@@ -72,22 +130,42 @@ impl Facing {
 /// None if the scene's observer does not exist.
 #[must_use]
 pub fn aimed(scene: &Scene, aim: Aim) -> Option<DMat3> {
-    let hole = ApparentHole::new(scene).ok()?.direction;
+    let hole = ApparentHole::new(scene).ok()?;
     let forward = match aim {
-        Aim::Hole => hole,
-        Aim::Outward => -hole,
+        Aim::Hole | Aim::Edge => hole.direction,
+        Aim::Outward => -hole.direction,
     };
     let up = (-DVec3::Y).reject_from_normalized(forward).try_normalize();
     let up = up.unwrap_or_else(|| forward.any_orthonormal_vector());
-    Some(DMat3::from_cols(forward.cross(up), up, forward))
+    let level = DMat3::from_cols(forward.cross(up), up, forward);
+    // Right, up, forward is a left-handed triple, so glam's positive turn leads downward.
+    let rise = if aim == Aim::Edge { hole.radius } else { 0.0 };
+    Some(level * DMat3::from_rotation_x(-rise))
 }
 
-/// The aim of the key that faces the hole and, pressed again, outward.
+/// The aim of the key that faces the hole and, pressed again, outward. Inside the horizon the edge of
+/// the hole comes first.
 #[must_use]
 pub fn next_aim(scene: &Scene) -> Aim {
+    let first = if is_inside(scene) {
+        Aim::Edge
+    } else {
+        Aim::Hole
+    };
+    let Ok(hole) = ApparentHole::new(scene) else {
+        return first;
+    };
     let forward = scene.camera.tetrad_from_camera().z_axis;
-    let faces = ApparentHole::new(scene).is_ok_and(|hole| hole.direction.dot(forward) > FACES_HOLE);
-    if faces { Aim::Outward } else { Aim::Hole }
+    let angle = hole.direction.angle_between(forward);
+    let aims = [
+        (Aim::Hole, 0.0),
+        (Aim::Edge, hole.radius),
+        (Aim::Outward, PI),
+    ];
+    aims.into_iter()
+        .filter(|(aim, _)| *aim != Aim::Edge || is_inside(scene))
+        .find(|(_, aimed)| (angle - aimed).abs() < FACES)
+        .map_or(first, |(aim, _)| aim.next(scene))
 }
 
 /// The axes a `share` of the way from one orientation to another, gently at both ends.
@@ -107,16 +185,12 @@ pub(crate) fn start_facing(
     mut toast: ResMut<Toast>,
 ) {
     for _ in 0..AppCommand::Face.count(&mut commands) {
-        let aim = match facing.turn.as_ref().map(|turn| turn.aim) {
-            Some(Aim::Hole) => Aim::Outward,
-            Some(Aim::Outward) => Aim::Hole,
+        let aim = match &facing.turn {
+            Some(turn) => turn.aim.next(&scene),
             None => next_aim(&scene),
         };
         facing.start(aim, &scene);
-        toast.say(match aim {
-            Aim::Hole => "Facing the hole",
-            Aim::Outward => "Facing outward",
-        });
+        toast.say(aim.words());
     }
 }
 
@@ -150,5 +224,5 @@ pub(crate) fn turn_camera(
     if share >= 1.0 {
         facing.turn = None;
     }
-    facing.left_at = Some(editor.scene().camera.angles());
+    facing.left.note(&editor.scene());
 }

@@ -1,6 +1,7 @@
 //! The observer's own motion: once let go, the observer falls or orbits, in its own proper time,
 //! and the camera with it.
 
+use super::edge_view::EdgeView;
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
@@ -191,7 +192,11 @@ impl FreeFall {
         let far = far.map_or_else(String::new, |far| {
             format!(" · far clock {}", units.steady_time(far))
         });
-        format!("{own}{far}")
+        if worldline.is_circular() {
+            return format!("{own}{far}");
+        }
+        let horizon = units.length(scene.kerr().horizon(), four_digits);
+        format!("{own}{far} · horizon at {horizon}")
     }
 
     /// How fast time passes, in one sentence, e.g. `Time rate in free fall: 4.472 r_s/c per second
@@ -278,6 +283,10 @@ fn apply_free_fall_commands(
                 free_fall.stop();
                 editor.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
             }
+            AppCommand::LetGo if free_fall.is_over(&scene) => editor.say(format!(
+                "The fall is over: {} goes back to where you let go",
+                bindings.label("scene.undo")
+            )),
             AppCommand::LetGo => {
                 paused.0 = false;
                 end_card.close();
@@ -328,6 +337,7 @@ pub(super) fn advance_free_fall(
     bindings: Res<Bindings>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
     preferences: Res<Preferences>,
+    (mut facing, mut edge_view): (ResMut<Facing>, ResMut<EdgeView>),
     mut end_card: ResMut<EndCard>,
 ) {
     if !free_fall.is_moving() {
@@ -339,7 +349,13 @@ pub(super) fn advance_free_fall(
     } else {
         time.delta_secs_f64()
     };
-    match free_fall.advance(seconds, &editor.drawn_scene()) {
+    let before = editor.drawn_scene();
+    let step = free_fall.advance(seconds, &before);
+    if let FlightStep::Moved(next) | FlightStep::Ended(next) = &step {
+        facing.carry(&before, next);
+        edge_view.carry(&before, next);
+    }
+    match step {
         FlightStep::Idle => editor.say(format!(
             "You are flying by hand: {} lets go again",
             bindings.label("motion.let_go")

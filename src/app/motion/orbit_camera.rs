@@ -1,14 +1,14 @@
 //! The orbit camera: the hand moves the camera around the hole at the same radius, and the camera
-//! always faces the hole with the disk level.
+//! always faces the hole. It begins with the disk level, and keeps the roll that the hand gives it.
 
 use super::facing::{Aim, Facing, aimed};
-use super::steering::{Barrier, Pace, Steered, is_inside, radius_after, settled};
+use super::steering::{Barrier, Pace, Steered, is_inside, radius_after, settled, turned};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::history::History;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use lightfall_core::geometry::sphere::wrap_degrees;
 use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::scene::{ObserverKind, Scene};
@@ -49,9 +49,12 @@ pub struct OrbitStep {
     pub rise: f64,
     /// See `rise`.
     pub time: f64,
+    /// Clockwise roll, in radians.
+    pub roll: f64,
 }
 
-/// Moves the camera around the hole for one frame, and faces it to the hole.
+/// Moves the camera around the hole for one frame, and faces it to the hole. Its roll against the
+/// level stays as it is, but for that of the step.
 ///
 /// As in flying by hand, the camera is taken off a circular orbit, and the nearest observer that
 /// exists takes the place of one that does not.
@@ -75,14 +78,25 @@ pub fn orbited(scene: &Drawable, step: &OrbitStep) -> Result<Steered, Undrawable
         camera.theta_deg =
             (camera.theta_deg - up).clamp(MIN_AXIS_ANGLE_DEG, 180.0 - MIN_AXIS_ANGLE_DEG);
     }
+    let roll = roll_against_level(scene) + step.roll;
     let steered = settled(next, stopped_by)?;
     let mut facing = steered.scene.scene().clone();
-    if let Some(axes) = aimed(&facing, Aim::Hole) {
-        facing.camera.set_orientation(axes);
+    if let Some(level) = aimed(&facing, Aim::Hole) {
+        facing
+            .camera
+            .set_orientation(level * turned(DVec3::new(0.0, 0.0, roll)));
     }
     Ok(Steered {
         scene: Drawable::new(facing)?,
         ..steered
+    })
+}
+
+/// The clockwise roll, in radians, of a camera that faces the hole.
+fn roll_against_level(scene: &Scene) -> f64 {
+    aimed(scene, Aim::Hole).map_or(0.0, |level| {
+        let up = level.transpose() * scene.camera.tetrad_from_camera().y_axis;
+        up.x.atan2(up.y)
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
+use super::free_fall::FreeFall;
 use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
 use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered, thrust_fades};
 use crate::app::controls::bindings::Bindings;
@@ -260,10 +261,12 @@ impl Hand {
         let around = keys * ORBIT_SPEED * self.gear * seconds - drag;
         let approach = notches * ORBIT_NOTCH_SECONDS + self.spread * ORBIT_SPREAD_SECONDS;
         let rise = -(self.thrust.z * self.gear * seconds + approach);
-        (around != DVec2::ZERO || rise != 0.0).then_some(OrbitStep {
+        let roll = self.roll * ROLL_SPEED * seconds;
+        (around != DVec2::ZERO || rise != 0.0 || roll != 0.0).then_some(OrbitStep {
             around,
             rise: rise.signum(),
             time: rise.abs(),
+            roll,
         })
     }
 }
@@ -275,7 +278,7 @@ pub(super) fn steer_camera(
     fingers: Res<Fingers>,
     time: Res<Time>,
     (preferences, bindings): (Res<Preferences>, Res<Bindings>),
-    orbit: Res<OrbitCamera>,
+    (orbit, free_fall): (Res<OrbitCamera>, Res<FreeFall>),
     mut pilot: ResMut<Pilot>,
     mut facing: ResMut<Facing>,
     mut editor: SceneEditor,
@@ -314,14 +317,23 @@ pub(super) fn steer_camera(
         editor.note_departure_by_hand();
     }
     editor.fly(&flown.scene);
-    for words in news(&scene, &flown, &bindings).into_iter().flatten() {
+    let is_over = free_fall.is_over(&scene);
+    for words in news(&scene, &flown, is_over, &bindings)
+        .into_iter()
+        .flatten()
+    {
         editor.say(words);
     }
 }
 
 /// Messages about a frame of flying by hand: a change of the observer, and what stopped or slowed the
-/// camera.
-fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>; 2] {
+/// camera. `is_over` says whether a fall came to its end here.
+fn news(
+    before: &Scene,
+    flown: &Steered,
+    is_over: bool,
+    bindings: &Bindings,
+) -> [Option<String>; 2] {
     let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| bindings.label(id));
     let [was, is] = [before, flown.scene.scene()].map(|scene| scene.observer.kind);
     let observer = if was == ObserverKind::Orbit && is != ObserverKind::Orbit {
@@ -336,6 +348,9 @@ fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>
     let barrier = flown.stopped_by.map(|barrier| match barrier {
         Barrier::MinRadius => {
             format!("You can fly no closer than {MIN_RADIUS} r_s by hand: {fall} lets you fall in")
+        }
+        Barrier::Horizon if is_over => {
+            format!("The fall is over: {back} goes back to where you let go")
         }
         Barrier::Horizon => {
             format!("Inside the horizon every way leads inward: {fall} falls on, {back} returns")

@@ -184,7 +184,7 @@ pub(crate) fn is_inside(scene: &Scene) -> bool {
 
 /// The turn to the right, then up, then clockwise, as a matrix of the camera's own axes (right, up,
 /// forward).
-fn turned(turn: DVec3) -> DMat3 {
+pub(super) fn turned(turn: DVec3) -> DMat3 {
     // Right, up, forward is a left-handed triple, so glam's positive turns go the opposite way.
     DMat3::from_rotation_y(turn.x)
         * DMat3::from_rotation_x(-turn.y)

@@ -46,6 +46,8 @@ pub struct Settings {
     pub simple_words: bool,
     /// Whether the most important keys are named in the window's corner.
     pub key_hints: bool,
+    /// Whether the user has chosen `key_hints`, which then does not go away after some use.
+    pub keep_key_hints: bool,
     /// Factor of how far the mouse turns the camera.
     pub mouse_sensitivity: f64,
     /// Whether the camera looks down when the mouse or the stick moves up.
@@ -117,6 +119,7 @@ impl Default for Settings {
             reduced_motion: false,
             simple_words: false,
             key_hints: true,
+            keep_key_hints: false,
             mouse_sensitivity: 1.0,
             invert_y: false,
             hole_mass_suns: MASSES[0].suns,

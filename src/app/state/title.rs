@@ -8,7 +8,8 @@ use std::time::Duration;
 /// What is shown, and since when. Times are since the program's start.
 #[derive(Resource, Default)]
 pub(crate) struct Title {
-    /// The scene's name, with its number among the presets. Empty while no title is shown.
+    /// The name of a built-in preset with its number, or the title of another scene, or its name where
+    /// it has no title. Empty while no title is shown.
     pub(crate) name: String,
     /// One line that says what there is to see.
     pub(crate) line: String,
@@ -23,12 +24,15 @@ impl Title {
     pub(crate) fn of(scene: &Scene) -> Self {
         let preset = PRESETS.iter().find(|preset| preset.name == scene.name);
         let name = in_words(&scene.name);
+        let title = scene.title.trim();
+        let (name, line) = match preset {
+            Some(preset) => (format!("{}  {name}", preset.number), title),
+            None if title.is_empty() => (name, ""),
+            None => (title.to_owned(), ""),
+        };
         Self {
-            name: match preset {
-                Some(preset) => format!("{}  {name}", preset.number),
-                None => name,
-            },
-            line: scene.title.clone(),
+            name,
+            line: line.to_owned(),
             came: None,
             drawn: None,
         }
@@ -46,7 +50,7 @@ impl Title {
 }
 
 /// A scene's name as words, e.g. `Edge on` for `edge-on`.
-pub(crate) fn in_words(name: &str) -> String {
+fn in_words(name: &str) -> String {
     let mut words = name.replace(['-', '_'], " ");
     if let Some(first) = words.get_mut(..1) {
         first.make_ascii_uppercase();

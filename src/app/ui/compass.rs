@@ -2,6 +2,8 @@
 //! and to the sky while the hole fills the view. A hole too small to be seen gets a ring, unless there
 //! is neither lensing nor a disk to be seen.
 
+use crate::app::motion::facing::{Aim, aimed};
+use crate::app::motion::steering::is_inside;
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::guides::Placement;
@@ -11,6 +13,7 @@ use crate::app::ui::screen::{BOX, MARGIN, Screen};
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
+use glam::DVec3;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
@@ -58,7 +61,7 @@ fn show_compass(
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);
     if hole.fills_view {
-        draw_arrow(&painter, layout, -hole.direction, "sky");
+        draw_arrow(&painter, layout, sky_direction(scene, &hole), "sky");
     } else if !hole.in_picture {
         draw_arrow(&painter, layout, hole.direction, &label);
     } else if scene.effects.lensing || scene.disk.enabled {
@@ -67,8 +70,17 @@ fn show_compass(
     }
 }
 
+/// The direction of the sky on the camera's axes: straight away from the hole and, inside the horizon,
+/// where the key that faces the sky turns the camera to.
+fn sky_direction(scene: &Scene, hole: &SeenHole) -> DVec3 {
+    let edge = aimed(scene, Aim::Edge).filter(|_| is_inside(scene));
+    edge.map_or(-hole.direction, |axes| {
+        scene.camera.tetrad_from_camera().transpose() * axes.z_axis
+    })
+}
+
 /// Draws an arrow toward a target with this direction on the camera's axes.
-fn draw_arrow(painter: &egui::Painter, layout: &mut Layout, target: glam::DVec3, name: &str) {
+fn draw_arrow(painter: &egui::Painter, layout: &mut Layout, target: DVec3, name: &str) {
     let free = layout.bounds().expand(MARGIN);
     if !free.is_positive() {
         return;

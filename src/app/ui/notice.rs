@@ -73,12 +73,10 @@ fn way_to_light(scene: &Scene, bindings: &Bindings) -> String {
 fn way_out(inside: bool, bindings: &Bindings) -> String {
     let [face, away, undo] =
         ["fly.face", "fly.backward", "scene.undo"].map(|id| bindings.label(id));
-    let away = if inside {
-        String::new()
-    } else {
-        format!("{away} backs away  ·  ")
-    };
-    format!("{face} faces outward  ·  {away}{undo} returns")
+    if inside {
+        return format!("{face} faces the light at its edge  ·  {undo} returns");
+    }
+    format!("{face} faces outward  ·  {away} backs away  ·  {undo} returns")
 }
 
 /// Draws two lines above the middle of the picture.

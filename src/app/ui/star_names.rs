@@ -2,6 +2,7 @@
 //! that the hole makes also has its order and magnification.
 
 use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
 use crate::app::ui::guides::Placement;
 use crate::app::ui::layout::{Importance, Layout};
 use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
@@ -86,7 +87,7 @@ fn show_star_names(
     mut screen: Screen,
     picture: PictureInWindow,
     overlays: Res<Overlays>,
-    names: Res<StarNames>,
+    (names, preferences): (Res<StarNames>, Res<Preferences>),
 ) {
     let scene = picture.scene();
     // Names of an earlier place of the camera would point at nothing.
@@ -100,7 +101,11 @@ fn show_star_names(
     let placement = picture.placement(context);
     let shown = picture.shown_part(SceneSide::Current, context);
     draw_below_boxes(context, "star names", shown, |painter| {
-        draw(painter, images, &placement, shown, layout);
+        let named = |image: &NamedImage| match preferences.settings.simple_words {
+            true => simple_words(image),
+            false => words(image),
+        };
+        draw(painter, images, named, &placement, shown, layout);
     });
 }
 
@@ -110,6 +115,7 @@ fn show_star_names(
 fn draw(
     painter: &Painter,
     images: &[NamedImage],
+    words: impl Fn(&NamedImage) -> String,
     placement: &Placement,
     shown: Rect,
     layout: &mut Layout,
@@ -142,6 +148,14 @@ fn words(named: &NamedImage) -> String {
         image.order,
         magnification_in_words(image.magnification)
     )
+}
+
+/// The star's name, and which of its images it is.
+fn simple_words(named: &NamedImage) -> String {
+    match named.image.order {
+        0 => named.name.to_owned(),
+        order => format!("{}, image {}", named.name, order + 1),
+    }
 }
 
 /// A magnification with two digits.

@@ -104,3 +104,45 @@ fn an_observer_let_go_falls_through_the_horizon_to_the_end_card_and_backspace_le
         desktop.stderr()
     );
 }
+
+/// A spinning hole carries the camera around, which turns it on the axes of each new place. Neither the
+/// key that faces the hole nor the rule that keeps its edge in view may take this for the hand.
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_camera_that_falls_around_a_spinning_hole_turns_by_key_and_keeps_the_edge_in_view() {
+    // The disk does not move.
+    let fields = "camera.r=3 camera.theta_deg=60 disk.structure=none";
+    let fields = fields.split(' ').flat_map(|field| ["--set", field]);
+    let scene: Vec<_> = ["--preset", "2", "--spin", "0.9"]
+        .into_iter()
+        .chain(fields)
+        .collect();
+    let mut desktop = Desktop::open_small(&scene);
+    let start = desktop.first_picture();
+    desktop.press("y");
+    desktop.settled("Y faces the hole", |shot| changed(shot, &start) > 1e-3);
+    desktop.press("f");
+    // The shadow grows, and only the rule turns the camera to its edge.
+    desktop.wait_for("the camera turns to the edge", |state| {
+        state.number("camera.pitch_deg") > 15.0
+    });
+    desktop.press("y");
+    desktop.wait_for("the camera faces the hole", |state| {
+        state.number("camera.pitch_deg") < 8.0
+    });
+    let has_card = |state: &State| state.boxes.iter().any(|(name, _)| name == "end card");
+    desktop.press("period");
+    desktop.wait_for("the end of the fall", has_card);
+    // Inside, the key leads to the light first.
+    desktop.press("y");
+    desktop.wait_for("the camera faces the edge", |state| {
+        state.number("camera.pitch_deg") > 50.0
+    });
+    // The fall is over: F lets nobody go again, and one Backspace leads back.
+    desktop.press("f");
+    desktop.press("BackSpace");
+    desktop.wait_for("back where it was let go", |state| {
+        state.number("camera.r") == 3.0
+    });
+    assert!(desktop.running());
+}

@@ -155,7 +155,7 @@ impl Key<'_> {
         };
         ui.add_space(4.0);
         let (Some(left), Some(right)) = (self.placement.of(left), self.placement.of(right)) else {
-            note(ui, "Scale: the hole is out of view.");
+            note(ui, "Scale: the hole's centre is out of view.");
             return;
         };
         let points_per_length = f64::from(left.distance(right)) / short;

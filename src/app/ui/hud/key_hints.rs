@@ -38,7 +38,7 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Hides the newcomer's keys once they have been used, and shows them again after the help was asked
-/// for.
+/// for, unless the user has chosen whether they are shown.
 fn watch_use(
     mut commands: MessageReader<AppCommand>,
     time: Res<Time<Real>>,
@@ -49,7 +49,11 @@ fn watch_use(
     mut tried: ResMut<Tried>,
     mut preferences: ResMut<Preferences>,
 ) {
-    if AppCommand::Help.count(&mut commands) > 0 {
+    let asks_for_help = AppCommand::Help.count(&mut commands) > 0;
+    if preferences.settings.keep_key_hints {
+        return;
+    }
+    if asks_for_help {
         *tried = Tried::default();
         preferences.settings.key_hints = true;
     }

@@ -24,6 +24,7 @@ use drawing::{Sketch, Viewpoint, legend};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
 use ray_worker::{InspectedRays, RayJob, RayWorker};
 
@@ -189,7 +190,7 @@ fn show_inspector(
             }
         });
         let waits = first.numbers.gpu.is_none() && answer.gpu_fault.is_none();
-        heading(ui, first, seen, scene, waits);
+        heading(ui, first, seen, scene, waits, preferences.settings.units());
         ui.horizontal(|ui| {
             for (viewpoint, name) in VIEWPOINTS {
                 ui.selectable_value(&mut sketch.viewpoint, viewpoint, name);
@@ -233,15 +234,22 @@ fn show_inspector(
 }
 
 /// Says which pixel of which picture was clicked.
-fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, waits: bool) {
+fn heading(
+    ui: &mut egui::Ui,
+    first: &Inspected,
+    seen: &Scene,
+    now: &Scene,
+    waits: bool,
+    units: Units,
+) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
     let (picture, method) = (&seen.picture, seen.method.resolved().word());
-    let mut text = format!(
-        "Pixel {x}, {y} of {} x {}, by {method}",
-        picture.width, picture.height
-    );
+    let mut text = format!("Pixel {x}, {y} of {} x {}", picture.width, picture.height);
+    if !units.are_simple() {
+        text += &format!(", method {method}");
+    }
     if seen != now {
-        text += ", of an earlier picture";
+        text += "; the picture has changed since";
     }
     if waits {
         text += ", waiting for the GPU";

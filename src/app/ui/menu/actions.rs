@@ -4,7 +4,6 @@ use crate::app::controls::control::{Action, AppCommand};
 use crate::app::controls::table::control_named;
 use crate::app::state::menu::{Menu, MenuEntry};
 use crate::app::state::scene_editor::SceneEditor;
-use crate::app::state::title::in_words;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::scene::presets::PRESETS;
@@ -33,9 +32,8 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
         MenuEntry::Back => ["Back", ""],
         MenuEntry::Place(place) => {
             let preset = &PRESETS[place];
-            let scene = preset.plain_scene();
-            let name = format!("{}: {}", in_words(&scene.name), scene.title);
-            return [name, format!("preset.{}", preset.number)];
+            let title = preset.plain_scene().title.clone();
+            return [title, format!("preset.{}", preset.number)];
         }
     };
     words.map(str::to_owned)

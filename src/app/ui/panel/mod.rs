@@ -16,6 +16,7 @@ mod switch;
 use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
+use crate::app::input::typing::MouseOverPanel;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
@@ -95,6 +96,7 @@ fn show_panel(
     keys: Res<ButtonInput<KeyCode>>,
     machine: Machine,
     (free_fall, mut paused): (Res<FreeFall>, ResMut<Paused>),
+    mut over_panel: ResMut<MouseOverPanel>,
     steps: Res<StepCounter>,
     clipboard: Res<Clipboard>,
 ) -> Result {
@@ -104,6 +106,7 @@ fn show_panel(
     }
     let context = contexts.ctx_mut()?;
     let panel = &mut *panel;
+    over_panel.page_has_numbers = panel.page == Page::Scene;
     docked(context, PANEL, Side::Right, PANEL_WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;

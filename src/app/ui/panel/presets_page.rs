@@ -32,8 +32,8 @@ pub(super) struct PresetsPage {
     replace: Option<PathBuf>,
     /// What was saved or read last, or what went wrong.
     report: String,
-    /// The files of the user's folder. None until they are read again.
-    files: Option<Vec<PathBuf>>,
+    /// The files of the user's folder, with the titles of their scenes. None until they are read again.
+    files: Option<Vec<(PathBuf, String)>>,
     dialog: FileDialog,
 }
 
@@ -113,14 +113,30 @@ impl PresetsPage {
     fn show_own(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, folder: &Path) {
         let files = self
             .files
-            .get_or_insert_with(|| preset_files(folder))
+            .get_or_insert_with(|| {
+                let files = preset_files(folder).into_iter();
+                files
+                    .map(|file| {
+                        let title = title_in(&file);
+                        (file, title)
+                    })
+                    .collect()
+            })
             .clone();
         if files.is_empty() {
             note(ui, "None yet.");
         }
-        for file in files {
+        for (file, title) in files {
             let is_open = editor.loaded_file() == Some(&*file);
-            if entry(ui, is_open, &stem(&file), "").clicked() {
+            let name = stem(&file);
+            let text = match title.as_str() {
+                "" => name.as_ref(),
+                title => title,
+            };
+            if entry(ui, is_open, text, "")
+                .on_hover_text(name.as_ref())
+                .clicked()
+            {
                 self.open(editor, &file);
             }
         }
@@ -185,6 +201,11 @@ impl PresetsPage {
         self.replace = None;
         let mut scene = editor.scene();
         scene.name = stem(file).chars().take(MAX_NAME_LETTERS).collect();
+        // The title says what another preset shows.
+        let loaded = editor.loaded();
+        if scene.name != loaded.name && scene.title == loaded.title {
+            scene.title.clear();
+        }
         let written = create_parent_folder(file)
             .and_then(|()| write_atomically(file, scene.to_preset().as_bytes()));
         match written {
@@ -203,6 +224,11 @@ impl PresetsPage {
 /// The name of a file without its extension.
 fn stem(file: &Path) -> Cow<'_, str> {
     file.file_stem().unwrap_or_default().to_string_lossy()
+}
+
+/// The title of the scene in a preset file. Empty if it has none or cannot be read.
+fn title_in(file: &Path) -> String {
+    read_preset(file).map_or_else(|_| String::new(), |scene| scene.title)
 }
 
 fn show_built_in(ui: &mut egui::Ui, editor: &mut SceneEditor) {

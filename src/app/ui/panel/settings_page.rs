@@ -128,8 +128,10 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             switch(ui, &mut settings.simple_words);
             ui.end_row();
             ui.label("Key hints")
-                .on_hover_text("The keys for newcomers at the lower right. They go away after some use");
+                .on_hover_text("The keys for newcomers at the lower right. Unless you choose, they go away after some use");
+            let before = settings.key_hints;
             switch(ui, &mut settings.key_hints);
+            settings.keep_key_hints |= settings.key_hints != before;
             ui.end_row();
             ui.label("Pixel look")
                 .on_hover_text("The picture is shown in large cells of few tones. Presets keep this choice");
