@@ -11,6 +11,7 @@ use lightfall_optics::disk::Profile;
 use lightfall_optics::path::Path;
 use lightfall_optics::ray_plane::RayPlane;
 use lightfall_optics::reference::Reference;
+use lightfall_optics::shift::Shift;
 use lightfall_optics::trace::{Hit, Trace};
 use serde::Serialize;
 use serde_json::Value;
@@ -58,6 +59,9 @@ pub struct Inspection {
     pub hit2_temperature_k: Option<f64>,
     /// As hit1_delay, at the second hit.
     pub hit2_delay: Option<f64>,
+    /// Observed over emitted frequency of light from the sky that the ray comes from, without the
+    /// share of effects that are switched off.
+    pub sky_g: Option<f64>,
     /// The difference between the GPU's answer and the reference's.
     pub difference: Option<Difference>,
 }
@@ -131,6 +135,11 @@ impl Inspected {
             hit1_delay: cpu.hits[0].and_then(|hit| hit.delay),
             hit2_temperature_k: temperature(cpu.hits[1]),
             hit2_delay: cpu.hits[1].and_then(|hit| hit.delay),
+            sky_g: cpu.sky.map(|_| {
+                let lambda = path.constants.map_or(0.0, |constants| constants.lambda);
+                let g = 1.0 / reference.photon(direction).energy;
+                Shift::new(scene).of_sky(g, lambda)
+            }),
             difference: None,
         };
         Ok(Self {

@@ -1,7 +1,7 @@
 //! The path of a ray, which the ray inspector shows, against independent integrals and closed
 //! forms.
 
-use crate::reference;
+use crate::{assert_close, reference};
 use glam::{DVec2, DVec3};
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
@@ -224,6 +224,27 @@ fn a_second_hit_was_emitted_earlier_by_more_than_the_light_time_of_the_straight_
         }
     }
     assert!(counted > 0);
+}
+
+#[test]
+fn an_inspection_has_the_shift_of_the_sky() {
+    // Overhead at 1.2 r_s: 1/sqrt(1 - 1/r) at rest, and 1/(1 + sqrt(1/r)) for one who falls from rest
+    // far away.
+    let mut scene = Scene::default();
+    (scene.camera.r, scene.disk.enabled) = (1.2, false);
+    let g = |scene: &Scene, direction| {
+        let inspected = Inspected::new(scene, direction, None, 60.0).unwrap();
+        inspected.numbers.sky_g
+    };
+    let lapse = (1.0_f64 - 1.0 / 1.2).sqrt();
+    assert_close("at rest", g(&scene, DVec3::X).unwrap(), 1.0 / lapse, 1e-12);
+    assert_eq!(g(&scene, DVec3::NEG_X), None);
+    scene.observer.kind = ObserverKind::Rain;
+    let falling = 1.0 / (1.0 + (1.0_f64 / 1.2).sqrt());
+    assert_close("falling", g(&scene, DVec3::X).unwrap(), falling, 1e-12);
+    // Without the Doppler shift, gravity's part is left.
+    scene.effects.doppler = false;
+    assert_close("gravity", g(&scene, DVec3::X).unwrap(), 1.0 / lapse, 1e-12);
 }
 
 #[test]

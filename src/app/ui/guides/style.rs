@@ -3,6 +3,7 @@
 use crate::app::ui::number::trimmed;
 use bevy_egui::egui::{Color32, Pos2, Shape, Stroke, Vec2};
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::optics::guides::{Guide, Landmark, photon_shells};
 use lightfall_core::optics::readout::units::Units;
 
@@ -89,7 +90,14 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr, units: Units) -> String {
         }
     };
     match guide.landmark {
-        Landmark::ShadowEdge => format!("the photon ring: light that grazed the {circling}"),
+        Landmark::ShadowEdge => {
+            let ring = format!("the photon ring: light that grazed the {circling}");
+            if kerr.spin == 0.0 {
+                let afar = length(CRITICAL_IMPACT);
+                return format!("{ring}; from afar its radius is {afar}");
+            }
+            ring
+        }
         Landmark::StableOrbit => {
             format!("no stable circular orbit inside {}", length(kerr.isco()))
         }

@@ -81,14 +81,13 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
         rows.add(&format!("{which} disk hit"), Some(place));
         let light =
             temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
-        let shift = if g > 1.0 {
-            "   blueshift"
-        } else {
-            "   redshift"
-        };
-        rows.add(shift, light);
+        rows.add(&format!("   {}", shift_in_words(g)), light);
         let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
         rows.add("   emitted", delay.map(earlier));
+    }
+    if let Some(g) = numbers.sky_g {
+        let name = format!("sky, {}", shift_in_words(g));
+        rows.add(&name, Some(format!("g {}", four_digits(g))));
     }
     let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
     rows.add("deflection", deflection.map(|angle| format!("{angle}°")));
@@ -109,6 +108,10 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
     };
     rows.add(approach, Some(closest));
     rows
+}
+
+fn shift_in_words(g: f64) -> &'static str {
+    if g > 1.0 { "blueshift" } else { "redshift" }
 }
 
 fn constants_and_errors(ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>) -> Rows {
