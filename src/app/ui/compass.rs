@@ -26,8 +26,8 @@ const ARROW: f32 = 9.0;
 /// Distance from the arrow to the middle of its label, in points: across and down.
 const LABEL_DISTANCE: [f32; 2] = [58.0, 28.0];
 /// Maximum radius in points of a hole with its disk that gets a ring. Smaller ones are easy to overlook
-/// among stars.
-const SMALL_RADIUS: f32 = 36.0;
+/// among stars; a ring around a larger one would look like its photon ring.
+const SMALL_RADIUS: f32 = 12.0;
 /// Minimum radius of the ring, and its distance from the hole and disk, in points.
 const MIN_RING: f32 = 14.0;
 const RING_DISTANCE: f32 = 6.0;

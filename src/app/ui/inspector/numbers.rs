@@ -82,12 +82,14 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
         let light =
             temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
         rows.add(&format!("   {}", shift_in_words(g)), light);
+        rows.add("   beaming g⁴", beaming(scene, g));
         let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
         rows.add("   emitted", delay.map(earlier));
     }
     if let Some(g) = numbers.sky_g {
         let name = format!("sky, {}", shift_in_words(g));
         rows.add(&name, Some(format!("g {}", four_digits(g))));
+        rows.add("   beaming g⁴", beaming(scene, g));
     }
     let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
     rows.add("deflection", deflection.map(|angle| format!("{angle}°")));
@@ -108,6 +110,12 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
     };
     rows.add(approach, Some(closest));
     rows
+}
+
+/// The factor of the whole power of light with this shift.
+fn beaming(scene: &Scene, g: f64) -> Option<String> {
+    let beamed = scene.effects.beaming;
+    beamed.then(|| format!("{} times as bright", four_digits(g.powi(4))))
 }
 
 fn shift_in_words(g: f64) -> &'static str {

@@ -201,6 +201,10 @@ impl PresetsPage {
         self.replace = None;
         let mut scene = editor.scene();
         scene.name = stem(file).chars().take(MAX_NAME_LETTERS).collect();
+        // The clock of a flight would do nothing where nothing moves.
+        if !scene.disk_moves() {
+            scene.disk.time = editor.loaded().disk.time;
+        }
         // The title says what another preset shows.
         let loaded = editor.loaded();
         if scene.name != loaded.name && scene.title == loaded.title {
