@@ -6,6 +6,7 @@ use super::scene::{device, scene};
 use super::stop::Stop;
 use super::unused::note_unused;
 use glam::DVec3;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::accuracy::rays::{RayReader, TraceWriter};
 use lightfall_core::gpu;
 use lightfall_core::gpu::GpuScene;
@@ -55,7 +56,15 @@ pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
             gpu::rays::trace(&gpu, &scene, &directions).map_err(Stop::failed)?
         }
     };
-    output_result(write_traces(&traces))
+    if !args.numbers {
+        return output_result(write_traces(&traces));
+    }
+    let numbers = directions
+        .par_iter()
+        .map(|&direction| Inspected::new(&scene, direction, None, scene.camera.r))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(Stop::refused)?;
+    output_result(write_numbers(&traces, &numbers))
 }
 
 /// Maximum size of a file of rays, in bytes.
@@ -86,6 +95,13 @@ fn read_standard_input() -> Result<String, TextError> {
     let mut bytes = Vec::new();
     io::stdin().take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
     storage::text_of(bytes, MAX_BYTES)
+}
+
+fn write_numbers(traces: &[Trace], rays: &[Inspected]) -> io::Result<()> {
+    let mut writer = TraceWriter::with_numbers(BufWriter::new(io::stdout().lock()))?;
+    let mut lines = traces.iter().zip(rays);
+    lines.try_for_each(|(trace, ray)| writer.write_with_numbers(trace, &ray.numbers))?;
+    writer.finish()
 }
 
 fn write_traces(traces: &[Trace]) -> io::Result<()> {

@@ -145,7 +145,7 @@ fn a_hole_with_a_tilted_disk_is_not_made_to_spin() {
     (tilted.camera.theta_deg, tilted.observer.kind) = (83.0, ObserverKind::Zamo);
     assert_eq!(
         feedback_of(&tilted, "scene.observer"),
-        "an orbit is possible in the plane theta = 90° only (you are 7° off)"
+        "an orbit is offered in the plane theta = 90° only (you are 7° off)"
     );
 }
 
@@ -154,7 +154,7 @@ fn a_skipped_observer_is_named_with_the_reason() {
     let mut scene = Scene::default();
     scene.camera.theta_deg = 83.0;
     scene.observer.kind = ObserverKind::Zamo;
-    let off_plane = "an orbit is possible in the disk's plane only (you are 7° off)";
+    let off_plane = "an orbit is offered in the disk's plane only (you are 7° off)";
     assert_eq!(feedback_of(&scene, "scene.observer"), off_plane);
     // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
     scene.observer.kind = ObserverKind::Static;

@@ -3,8 +3,11 @@
 use std::io::{self, BufReader, Read, Write};
 
 use glam::{DVec3, dvec3};
-use lightfall_core::accuracy::rays::{HEADER, RayReader, TraceWriter, is_closed_pipe};
+use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::accuracy::rays::{HEADER, NUMBERS, RayReader, TraceWriter, is_closed_pipe};
+use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
+use lightfall_core::scene::Scene;
 
 fn rays(text: &str) -> Vec<DVec3> {
     RayReader::new(text.as_bytes(), "rays.csv")
@@ -20,6 +23,48 @@ fn fault(text: &str) -> String {
         .to_string();
     assert!(reader.next().is_none(), "it reads on after an error");
     error
+}
+
+#[test]
+fn numbers_follow_the_columns_of_a_trace() {
+    let scene = Scene::default();
+    let reference = Reference::new(&scene).unwrap();
+    let mut bytes = Vec::new();
+    let mut writer = TraceWriter::with_numbers(&mut bytes).unwrap();
+    let mut plain = Vec::new();
+    let mut short = TraceWriter::new(&mut plain).unwrap();
+    // Past the hole, and into it.
+    for direction in [dvec3(-0.9, -0.1, 0.4).normalize(), DVec3::NEG_X] {
+        let ray = Inspected::new(&scene, direction, None, 20.0).unwrap();
+        let trace = reference.trace_with_delays(direction);
+        writer.write_with_numbers(&trace, &ray.numbers).unwrap();
+        short.write(&trace).unwrap();
+    }
+    writer.finish().unwrap();
+    short.finish().unwrap();
+    let [text, plain] = [bytes, plain].map(|bytes| String::from_utf8(bytes).unwrap());
+    for (line, short) in text.lines().zip(plain.lines()) {
+        assert!(line.starts_with(&format!("{short},")), "{line}");
+        assert_eq!(line.split(',').count(), HEADER.len() + NUMBERS.len());
+    }
+    let numbers = |line: &str| -> Vec<Option<f64>> {
+        let fields = line.split(',').skip(HEADER.len());
+        fields.map(|field| field.parse().ok()).collect()
+    };
+    let lines: Vec<_> = text.lines().skip(1).map(numbers).collect();
+    let [past, into] = &lines[..] else {
+        panic!("two rays")
+    };
+    // b = r sin(alpha)/sqrt(1 - 1/r) for an observer at rest.
+    let r = scene.camera.r;
+    let sine = (0.1_f64.powi(2) + 0.4_f64.powi(2)).sqrt() / 0.98_f64.sqrt();
+    let b = r * sine / (1.0 - 1.0 / r).sqrt();
+    assert!((past[0].unwrap() - b).abs() < 1e-9 * b, "{past:?} {b}");
+    let g = 1.0 / (1.0 - 1.0 / r).sqrt();
+    assert!((past[6].unwrap() - g).abs() < 1e-12, "{past:?}");
+    assert!(past[3].unwrap() > 0.0 && past[5].unwrap() > 1.5);
+    assert_eq!((into[3], into[6]), (None, None));
+    assert_eq!(into[5], Some(1.0));
 }
 
 #[test]

@@ -11,6 +11,7 @@ use glam::DVec3;
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::inspection::Inspection;
 use lightfall_model::reason::reason;
 use lightfall_optics::trace::{Hit, Outcome, Trace};
 
@@ -21,6 +22,18 @@ const COLUMNS: [&str; 3] = ["er", "etheta", "ephi"];
 pub const HEADER: [&str; 14] = [
     "outcome", "sky_x", "sky_y", "sky_z", "hit1_r", "hit1_phi", "hit1_g", "hit2_r", "hit2_phi",
     "hit2_g", "steps", "residual", "hit1_t", "hit2_t",
+];
+
+/// The columns that [`TraceWriter::with_numbers`] adds: numbers of the f64 reference's ray, as in
+/// [`Inspection`].
+pub const NUMBERS: [&str; 7] = [
+    "impact_parameter",
+    "lambda",
+    "eta",
+    "deflection",
+    "half_turns",
+    "closest_r",
+    "sky_g",
 ];
 
 /// Maximum length of a line, in bytes. Three numbers in any notation need far less, and a file
@@ -252,30 +265,42 @@ impl<W: Write> TraceWriter<W> {
         Ok(Self { csv })
     }
 
+    /// As [`new`](Self::new), with the columns [`NUMBERS`] after the others.
+    ///
+    /// # Errors
+    /// The writer's error.
+    pub fn with_numbers(writer: W) -> io::Result<Self> {
+        let mut csv = csv::Writer::from_writer(writer);
+        csv.write_record(HEADER.iter().chain(&NUMBERS))
+            .map_err(io_error)?;
+        Ok(Self { csv })
+    }
+
     /// Writes one trace.
     ///
     /// # Errors
     /// The writer's error.
     pub fn write(&mut self, trace: &Trace) -> io::Result<()> {
-        let record = Record::from(trace);
-        let number = |number: Option<f64>| number.map_or_else(String::new, digits);
-        let fields = [
-            record.outcome.word().to_owned(),
-            number(record.sky_x),
-            number(record.sky_y),
-            number(record.sky_z),
-            number(record.hit1_r),
-            number(record.hit1_phi),
-            number(record.hit1_g),
-            number(record.hit2_r),
-            number(record.hit2_phi),
-            number(record.hit2_g),
-            digits(record.steps),
-            digits(record.residual),
-            number(record.hit1_t),
-            number(record.hit2_t),
+        self.csv.write_record(fields(trace)).map_err(io_error)
+    }
+
+    /// Writes one trace and the numbers of its ray.
+    ///
+    /// # Errors
+    /// The writer's error.
+    pub fn write_with_numbers(&mut self, trace: &Trace, ray: &Inspection) -> io::Result<()> {
+        let numbers = [
+            ray.impact_parameter,
+            ray.lambda,
+            ray.eta,
+            ray.deflection,
+            Some(ray.half_turns),
+            Some(ray.closest_r),
+            ray.sky_g,
         ];
-        self.csv.write_record(fields).map_err(io_error)
+        let numbers = numbers.map(|value| value.map_or_else(String::new, digits));
+        let line = fields(trace).into_iter().chain(numbers);
+        self.csv.write_record(line).map_err(io_error)
     }
 
     /// Writes everything that is still buffered. Without this call, an error in the last lines
@@ -286,6 +311,28 @@ impl<W: Write> TraceWriter<W> {
     pub fn finish(mut self) -> io::Result<()> {
         self.csv.flush()
     }
+}
+
+/// The fields of a trace, in the order of [`HEADER`].
+fn fields(trace: &Trace) -> [String; HEADER.len()] {
+    let record = Record::from(trace);
+    let number = |number: Option<f64>| number.map_or_else(String::new, digits);
+    [
+        record.outcome.word().to_owned(),
+        number(record.sky_x),
+        number(record.sky_y),
+        number(record.sky_z),
+        number(record.hit1_r),
+        number(record.hit1_phi),
+        number(record.hit1_g),
+        number(record.hit2_r),
+        number(record.hit2_phi),
+        number(record.hit2_g),
+        digits(record.steps),
+        digits(record.residual),
+        number(record.hit1_t),
+        number(record.hit2_t),
+    ]
 }
 
 /// The writer's error with its kind, which says whether the pipe is closed. `csv` would hide it.

@@ -45,7 +45,7 @@ pub fn undrawable(reason: &Undrawable, scene: &Scene) -> String {
 pub fn no_observer(error: &ObserverError, scene: &Scene) -> String {
     match error {
         ObserverError::OffPlane { theta_deg } => format!(
-            "an orbit is possible in {} only (you are {}° off)",
+            "an orbit is offered in {} only (you are {}° off)",
             // The camera's orbit stays in the equator when the disk is tilted out of it.
             if scene.disk.is_tilted() {
                 "the plane theta = 90°"
@@ -112,7 +112,10 @@ fn too_deep(spin: f64, low: f64) -> String {
     )
 }
 
-/// A lower limit of r with two decimals, rounded up, so that it is allowed.
+/// A lower limit of r with two decimals, rounded up, so that every larger r is allowed.
 fn limit(r: f64) -> String {
-    four_digits((100.0 * r).ceil() / 100.0)
+    four_digits((100.0 * r - LIMIT_ROUNDING).ceil() / 100.0)
 }
+
+/// A limit that differs from two decimals by rounding alone, as 1.5, is not rounded up.
+const LIMIT_ROUNDING: f64 = 1e-9;

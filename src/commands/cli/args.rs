@@ -160,6 +160,10 @@ pub struct TraceArgs {
     /// Device that traces the rays
     #[arg(long, value_enum, default_value_t = Device::Gpu)]
     pub device: Device,
+    /// Add columns with numbers of each ray by the f64 reference: impact parameter, lambda and eta (in
+    /// r_s), deflection (radians), half-turns about the hole, closest r, and g of the sky's light
+    #[arg(long)]
+    pub numbers: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

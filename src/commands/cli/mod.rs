@@ -77,7 +77,7 @@ pub enum Command {
                             frequency, of the first two crossings of the disk's annulus along the backward ray; steps; \
                             residual, the largest normalized residual of the null condition; hit*_t, the time between \
                             emission and arrival in r_s/c, outside the horizon. Missing values are \
-                            empty. The CPU always uses the f64 reference, for any method and spin."
+                            empty. docs/COMMANDS.md explains the columns of --numbers. The CPU always uses the f64 reference, for any method and spin."
     )]
     Trace(TraceArgs),
     /// Measure error and run time, for each scene, method and setting.

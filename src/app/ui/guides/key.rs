@@ -121,7 +121,11 @@ impl Key<'_> {
             flat.iter().for_each(|guide| self.row(ui, guide, length));
         }
         if lensing && full {
-            let shadow = "Every line of sight inside the shadow, traced back, ends at the horizon.";
+            let shadow = if self.scene.disk.enabled {
+                "Every line of sight inside the shadow, traced back, ends at the horizon, unless the disk is in front."
+            } else {
+                "Every line of sight inside the shadow, traced back, ends at the horizon."
+            };
             note(ui, shadow);
         }
         self.show_scale(ui, length);

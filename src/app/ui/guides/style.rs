@@ -73,13 +73,25 @@ pub(super) fn name(guide: &Guide, kerr: Kerr) -> &'static str {
 
 /// What a guide marks, in a line of the key.
 pub(super) fn meaning(guide: &Guide, kerr: Kerr, units: Units) -> String {
-    let length = |radius: f64| units.length(radius, |radius| trimmed(format!("{radius:.3}")));
+    let in_units =
+        |units: Units, radius: f64| units.length(radius, |radius| trimmed(format!("{radius:.3}")));
+    // The formulas that pupils know are in r_s.
+    let length = |radius: f64| match units {
+        Units::Hole => in_units(units, radius),
+        Units::Everyday(_) => {
+            format!(
+                "{} ({})",
+                in_units(units, radius),
+                in_units(Units::Hole, radius)
+            )
+        }
+    };
     let (shells, circling) = match photon_shells(kerr)[..] {
         [inner, outer] => {
             // The unit once is enough.
-            let inner = length(inner);
+            let [inner, outer] = [inner, outer].map(|radius| in_units(units, radius));
             let inner = inner.rsplit_once(' ').map_or(&*inner, |(number, _)| number);
-            let shells = format!("{inner} to {}", length(outer));
+            let shells = format!("{inner} to {outer}");
             let circling = format!("photon shell, {shells}");
             (shells, circling)
         }

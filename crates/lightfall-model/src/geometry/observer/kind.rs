@@ -103,8 +103,8 @@ impl ObserverKind {
     /// (radians).
     ///
     /// # Errors
-    /// The place is at or within the inner horizon, which without spin is the centre; or off the
-    /// plane of an equatorial kind; or at or within the kind's own limit.
+    /// The place is at or within the inner horizon, which without spin is the centre; or at or within
+    /// the kind's own limit; or off the plane of an equatorial kind.
     pub fn check_place(self, kerr: Kerr, r: f64, theta: f64) -> Result<(), ObserverError> {
         let ObserverProperties {
             limit, equatorial, ..
@@ -113,13 +113,13 @@ impl ObserverKind {
         if r <= inner {
             return Err(ObserverError::TooDeep { r, inner });
         }
-        if equatorial && (theta - FRAC_PI_2).abs() > IN_PLANE {
-            return Err(ObserverError::OffPlane {
-                theta_deg: theta.to_degrees(),
-            });
-        }
         let radius = limit.radius(kerr, polar_sin_cos(theta).1);
         if r > radius {
+            if equatorial && (theta - FRAC_PI_2).abs() > IN_PLANE {
+                return Err(ObserverError::OffPlane {
+                    theta_deg: theta.to_degrees(),
+                });
+            }
             return Ok(());
         }
         Err(match limit {
