@@ -25,9 +25,10 @@ const ROOM: [f32; 2] = [60.0, 130.0];
 const ARROW: f32 = 9.0;
 /// Distance from the arrow to the middle of its label, in points: across and down.
 const LABEL_DISTANCE: [f32; 2] = [58.0, 28.0];
-/// Maximum radius in points of a hole with its disk that gets a ring. Smaller ones are easy to overlook
-/// among stars; a ring around a larger one would look like its photon ring.
-const SMALL_RADIUS: f32 = 12.0;
+/// Maximum radius in points of a hole with its disk that gets a ring: it is easy to overlook among stars.
+const SMALL_RADIUS: f32 = 36.0;
+/// The same for a hole without a disk, around which a ring would look like its photon ring.
+const SMALL_BARE_RADIUS: f32 = 12.0;
 /// Minimum radius of the ring, and its distance from the hole and disk, in points.
 const MIN_RING: f32 = 14.0;
 const RING_DISTANCE: f32 = 6.0;
@@ -122,13 +123,13 @@ fn draw_ring(
     let Some(place) = placement.of_looking(hole.direction) else {
         return;
     };
-    let disk = if scene.disk.enabled {
-        scene.disk.outer / scene.camera.r
+    let (disk, small) = if scene.disk.enabled {
+        (scene.disk.outer / scene.camera.r, SMALL_RADIUS)
     } else {
-        0.0
+        (0.0, SMALL_BARE_RADIUS)
     };
     let radius = placement.radius(hole.radius.max(disk), scene);
-    if radius > SMALL_RADIUS {
+    if radius > small {
         return;
     }
     let ring = (radius + RING_DISTANCE).max(MIN_RING);
