@@ -31,7 +31,7 @@ struct DiskLamp {
 /// Number of rings of lamps.
 const RINGS: usize = 4;
 /// Number of lamps on a ring.
-const LAMPS: usize = 16;
+const LAMPS: usize = 8;
 
 /// Ambient light of the stars, in the units of traced light. It is a good deal brighter than the
 /// real stars' light, so that the shape of the dark side is visible.
