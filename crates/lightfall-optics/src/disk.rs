@@ -3,9 +3,12 @@
 
 mod newtonian;
 mod page_thorne;
+pub mod returning;
+pub mod returning_table;
 
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
+use returning_table::ReturningLight;
 
 use lightfall_model::geometry::kerr::CircularOrbit;
 use lightfall_model::scene::{Disk, DiskModel, Scene};
@@ -34,12 +37,20 @@ impl Profile {
         let inner = scene.inner_edge();
         match scene.disk.model {
             DiskModel::Newtonian => Self::Newtonian(inner),
-            DiskModel::PageThorne => Self::PageThorne(PageThorne::new(scene.hole.spin, inner)),
+            DiskModel::PageThorne => {
+                let spin = scene.hole.spin;
+                let disk = PageThorne::new(spin, inner);
+                Self::PageThorne(if scene.has_returning_light() {
+                    disk.with_returning(ReturningLight::new(spin, scene.disk.limb))
+                } else {
+                    disk
+                })
+            }
         }
     }
 
     /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside the inner
-    /// edge. Both profiles peak at [`NEWTONIAN_PEAK`].
+    /// edge. Without returning light both profiles peak at [`NEWTONIAN_PEAK`].
     pub fn flux(&self, r: f64) -> f64 {
         match self {
             Self::Newtonian(inner) => newtonian_flux(r, *inner),

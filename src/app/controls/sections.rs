@@ -82,6 +82,7 @@ pub const SECTIONS: &[Section] = sections! {
         "disk.edge_taper" "Soft edges" Plain;
         "disk.model" "Brightness law" Plain;
         "disk.limb" "Limb darkening" Plain;
+        "disk.returning" "Returning light" Plain;
         "disk.structure" "Structure" Plain;
         "disk.contrast" "Contrast" Plain;
         "disk.scale" "Filaments' width" Logarithmic(0.02, 0.5);

@@ -38,6 +38,7 @@ mod ray_plane;
 mod readout;
 mod reference;
 mod released;
+mod returning;
 mod schwarzschild;
 mod shadow_edge;
 mod sky_texel;

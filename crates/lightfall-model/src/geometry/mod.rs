@@ -6,6 +6,7 @@
 //! cos theta).
 
 pub mod bisection;
+pub mod chebyshev;
 pub mod elliptic;
 pub mod kerr;
 pub mod mino;

@@ -2,7 +2,7 @@
 
 use super::idle::{Idle, Output};
 use super::{
-    AccuracySetting, Content, DiskStructure, HotSpotKind, Method, ObserverKind, Scene, SkyMode,
+    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, Method, ObserverKind, Scene, SkyMode,
     View,
 };
 use Output::{Linear, Rays, Sequence, Still, Window};
@@ -107,6 +107,7 @@ const DISK_LIGHT: &[&str] = &[
     "disk.brightness",
     "disk.model",
     "disk.limb",
+    "disk.returning",
     "disk.keep_accretion",
     "disk.edge_taper",
     "disk.transmission",
@@ -211,10 +212,19 @@ pub(super) const RULES: &[Rule] = &[
     rule(&[&["disk.rate"]], &[Still, Linear], always, "a single picture shows one moment", ""),
     rule(&[STRUCTURE], PICTURES, |scene| scene.disk.structure == DiskStructure::None,
         "the disk is smooth", "disk.structure=turbulent"),
+    rule(&[&["disk.returning"]], PICTURES, |scene| scene.disk.model == DiskModel::Newtonian,
+        "only the relativistic brightness law counts light that returns to the disk",
+        "disk.model=page-thorne"),
+    rule(&[&["disk.returning"]], PICTURES, |scene| !scene.effects.lensing,
+        "without bending no light returns to the disk", "effects.lensing=true"),
+    rule(&[&["disk.returning"]], PICTURES, |scene| !scene.begins_at_isco(),
+        "light that returns is known for disks that begin at the innermost stable orbit",
+        "disk.follow_isco=true"),
     rule(&[CLOCK], PICTURES, |scene| !scene.disk_moves(),
         "nothing moves in the disk: it has neither structure nor a hot spot",
         "disk.structure=turbulent"),
-    rule(&[&["disk.temperature_k", "disk.model", "disk.limb", "disk.keep_accretion", "disk.structure"],
+    rule(&[&["disk.temperature_k", "disk.model", "disk.limb", "disk.returning", "disk.keep_accretion",
+        "disk.structure"],
         STRUCTURE, CLOCK, HOT_SPOT], PICTURES, |scene| scene.disk.brightness == 0.0,
         "the disk's brightness is 0", "disk.brightness=1"),
     rule(&[&["sky.seed", "sky.ra_deg", "sky.dec_deg", "sky.roll_deg", "sky.magnitude_limit",

@@ -7,7 +7,7 @@ use super::field::Field;
 use super::fields::FIELDS;
 use super::range::{Kind, Range, number};
 use super::tables::{EDGE, POLAR};
-use super::{Effects, HotSpotKind, Scene};
+use super::{DiskModel, Effects, HotSpotKind, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{Limit, min_infall_radius};
 use crate::geometry::sphere::polar_sin_cos;
@@ -115,6 +115,21 @@ impl Scene {
         } else {
             self.disk.inner.max(isco)
         }
+    }
+
+    /// Whether the disk's flux counts the light that gravity bends back to the disk. It is known for
+    /// relativistic disks that begin at the innermost stable orbit, and without bending there is
+    /// none.
+    pub fn has_returning_light(&self) -> bool {
+        self.disk.returning
+            && self.disk.model == DiskModel::PageThorne
+            && self.effects.lensing
+            && self.begins_at_isco()
+    }
+
+    /// Whether the disk begins at the innermost stable circular orbit.
+    pub(super) fn begins_at_isco(&self) -> bool {
+        self.inner_edge() <= self.kerr().isco()
     }
 
     /// How near to the hole the camera may be: as near as its observer exists

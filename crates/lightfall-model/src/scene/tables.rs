@@ -234,6 +234,9 @@ table! {
         transmission: f64 = 0.0, SHARE, "";
         /// How the surface's brightness depends on the angle at which it is seen.
         limb: LimbDarkening = LimbDarkening::default();
+        /// Whether light of the disk that gravity bends back to it heats it: by 1 % of its flux
+        /// around a hole without spin, and by a quarter at spin 0.998.
+        returning: bool = false;
         /// Structure of the light: a statistical model of turbulence, carried and sheared by the
         /// rotation. Streaks multiply contrast by 5/3 (to 1.5 at most), scale by 5/7 (to 0.02 at
         /// least), aspect by 2.4 (to 20 at most), pitch_deg by 8/15, and lifetime by 1.5 (to 4 at
