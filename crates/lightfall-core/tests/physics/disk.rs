@@ -191,7 +191,7 @@ fn flux_per_accretion_rate(disk: &PageThorne, inner: f64, r: f64) -> f64 {
 }
 
 /// The flux that the shader computes from a table for this inner edge, in f64.
-fn sampled_flux(table: &[[f32; 4]; TABLE_LEN], inner: f64, r: f64) -> f64 {
+pub fn sampled_flux(table: &[[f32; 4]; TABLE_LEN], inner: f64, r: f64) -> f64 {
     let depth = (1.0 - (inner / r).sqrt()).max(0.0);
     let position = depth.sqrt() * TABLE_LEN as f64;
     let entry = (position as usize).min(TABLE_LEN - 1);

@@ -2,12 +2,13 @@
 //! and the table against the rays.
 
 use crate::assert_close;
+use crate::disk::sampled_flux;
 use lightfall_core::geometry::chebyshev::Chebyshev;
 use lightfall_core::geometry::kerr::{Kerr, MASS};
 use lightfall_core::geometry::quadrature::gauss_legendre;
 use lightfall_core::optics::disk::returning::{Arrival, Return, Sampling, Source, upper_sky};
 use lightfall_core::optics::disk::returning_table::{DEPTHS, MAX_SPIN, ReturningLight, spins};
-use lightfall_core::optics::disk::{PageThorne, Profile, TABLE_LEN, newtonian_flux};
+use lightfall_core::optics::disk::{PageThorne, Profile};
 use lightfall_core::optics::limb::electron_scattering;
 use lightfall_core::scene::{DiskModel, LimbDarkening, Scene};
 use std::f64::consts::TAU;
@@ -26,18 +27,36 @@ fn sky_of_disk(spin: f64, r: f64) -> Vec<Arrival> {
 }
 
 /// The sum over the arrivals from such sources.
-fn total(sky: &[Arrival], is_meant: impl Fn(Source) -> bool, part: impl Fn(&Arrival) -> f64) -> f64 {
-    sky.iter().filter(|arrival| is_meant(arrival.source)).map(part).sum()
+fn total(
+    sky: &[Arrival],
+    is_meant: impl Fn(Source) -> bool,
+    part: impl Fn(&Arrival) -> f64,
+) -> f64 {
+    sky.iter()
+        .filter(|arrival| is_meant(arrival.source))
+        .map(part)
+        .sum()
 }
 
 /// The matter's half sky has 2 pi steradians, and a surface under a bright sky receives all of pi
 /// F/pi, however fast it moves. The midpoint rule over 64 azimuths is off by pi^2/24/64^2 = 1e-4.
 #[test]
 fn returning_light_comes_from_half_a_sky() {
-    for (spin, r) in [(-0.9, 5.0), (0.0, 3.0), (0.0, 300.0), (0.998, 0.62), (0.998, 8.0)] {
+    for (spin, r) in [
+        (-0.9, 5.0),
+        (0.0, 3.0),
+        (0.0, 300.0),
+        (0.998, 0.62),
+        (0.998, 8.0),
+    ] {
         let sky = sky_of_disk(spin, r);
         let what = format_args!("spin {spin}, r {r}");
-        assert_close(what, total(&sky, |_| true, |arrival| arrival.solid_angle), TAU, 3e-4);
+        assert_close(
+            what,
+            total(&sky, |_| true, |arrival| arrival.solid_angle),
+            TAU,
+            3e-4,
+        );
         assert_close(what, total(&sky, |_| true, Arrival::share), 1.0, 3e-4);
     }
 }
@@ -50,7 +69,11 @@ fn returning_light_comes_from_half_a_sky() {
 fn returning_rays_escape_as_often_as_published() {
     let spin = 0.998;
     let sky = upper_sky(spin, None, Kerr { spin }.isco(), SAMPLING).unwrap();
-    let escaped = total(&sky, |source| source == Source::Sky, |arrival| arrival.solid_angle);
+    let escaped = total(
+        &sky,
+        |source| source == Source::Sky,
+        |arrival| arrival.solid_angle,
+    );
     assert!((escaped / TAU - 0.588).abs() < 1.5e-3, "{}", escaped / TAU);
 }
 
@@ -60,7 +83,10 @@ fn returning_rays_escape_as_often_as_published() {
 fn returning_light_is_divided_between_disk_hole_and_sky_as_another_tracer_says() {
     let sky = sky_of_disk(0.998, 0.973);
     for (is_meant, expected) in [
-        ((|source| matches!(source, Source::Disk { .. })) as fn(Source) -> bool, 0.34),
+        (
+            (|source| matches!(source, Source::Disk { .. })) as fn(Source) -> bool,
+            0.34,
+        ),
         (|source| source == Source::Hole, 0.22),
         (|source| source == Source::Sky, 0.44),
     ] {
@@ -83,7 +109,10 @@ fn gain(spin: f64, limb: fn(f64) -> f64) -> [f64; 2] {
         // 4 pi r F / Mdot dr: both faces of a ring, with r = r_in/x^2.
         let flux = 1.5 / (MASS * (inner / MASS).powf(1.5)).powi(2) * disk.flux(r) / disk.scale();
         let emitted = weight * 4.0 * p * inner / x.powi(3) * r * flux;
-        let sampling = Sampling { nodes: 14, ..SAMPLING };
+        let sampling = Sampling {
+            nodes: 14,
+            ..SAMPLING
+        };
         for arrival in upper_sky(spin, None, r, sampling).unwrap() {
             // The reverse of a path on which light arrives leads light away at the same angle.
             if arrival.source == Source::Hole {
@@ -113,7 +142,10 @@ fn returning_rays_to_the_hole_give_thornes_limiting_spins() {
         let spin = ends[0] + (ends[1] - ends[0]) * share;
         assert!((spin - limit).abs() < 6e-5, "{spin}, not {limit}");
         let escaped = low[1] + (high[1] - low[1]) * share;
-        assert!((escaped - efficiency).abs() < 1e-3, "{escaped}, not {efficiency}");
+        assert!(
+            (escaped - efficiency).abs() < 1e-3,
+            "{escaped}, not {efficiency}"
+        );
     }
 }
 
@@ -145,10 +177,15 @@ fn returning_flux_is_that_of_another_tracer() {
             (LimbDarkening::None, even),
         ] {
             let fallen = sky.iter().filter_map(|arrival| arrival.flux_from_disk(law));
-            let flux: f64 = fallen.map(|(source, share)| share * disk.flux(source)).sum();
+            let flux: f64 = fallen
+                .map(|(source, share)| share * disk.flux(source))
+                .sum();
             let found = flux / disk.flux(r);
             let allowed = 5e-4 * (1.0 + expected / 0.2);
-            assert!((found - expected).abs() < allowed, "{spin}, {ratio}: {found}, {expected}");
+            assert!(
+                (found - expected).abs() < allowed,
+                "{spin}, {ratio}: {found}, {expected}"
+            );
         }
     }
 }
@@ -160,7 +197,12 @@ fn returning_table_is_interpolated_exactly_where_it_is_a_polynomial() {
     let polynomial = |x: f64| 1.0 + x * (2.0 + x * (-3.0 + x * (0.5 - 4.0 * x)));
     let values = chebyshev.nodes.map(polynomial);
     for place in [0.0, 0.3, chebyshev.nodes[2], 0.77, 1.0] {
-        assert_close(place, chebyshev.value(&values, place), polynomial(place), 1e-13);
+        assert_close(
+            place,
+            chebyshev.value(&values, place),
+            polynomial(place),
+            1e-13,
+        );
     }
 }
 
@@ -170,31 +212,33 @@ fn own_flux(disk: &PageThorne, depth: f64) -> f64 {
     disk.flux(disk.inner() / (x * x)) / (disk.scale() * x.powi(6))
 }
 
-/// At a spin of the table, between its spins, and at its end. The rays are a tenth of the table's, so
-/// the light itself is allowed to differ by 4 % anywhere, and the flux by 1 % from 1.2 r_in on, where
-/// the fastest hole differs most. Measured: see the documents.
+/// Between the table's spins, at one of them, and at the spin for which this light is best known. The
+/// rays are a sixth of the table's, which shows where the light is faint: it may differ by 12 % of
+/// itself (measured: 10 % at -0.7, 2 % from spin 0.9 on), and from 1.2 r_in on by 0.2 % of the flux
+/// (measured: 0.13 %).
 #[test]
 fn returning_table_is_the_light_that_rays_find() {
-    for spin in [-0.7, 0.0, spins()[4], 0.95, 0.998, MAX_SPIN] {
+    for spin in [-0.7, spins()[4], 0.998] {
         let disk = at_the_isco(spin);
         let returns = Return::on_disk(&disk, LimbDarkening::ALL, SAMPLING).unwrap();
         for (law, found) in LimbDarkening::ALL.into_iter().zip(returns) {
             let table = ReturningLight::new(spin, law);
-            let (mut worst, mut worst_flux) = (0.0_f64, 0.0_f64);
             for (depth, light) in DEPTHS.nodes.into_iter().zip(found.light(60)) {
                 let error = (table.at(depth) - light).abs();
-                worst = worst.max(error / light);
-                if depth > 0.0871 {
-                    worst_flux = worst_flux.max(error / (own_flux(&disk, depth) + light));
-                }
+                let flux = own_flux(&disk, depth) + light;
+                assert!(
+                    error < 0.12 * light && (depth < 0.087 || error < 2e-3 * flux),
+                    "spin {spin}, {}, depth {depth}: {error:e}",
+                    law.word()
+                );
             }
-            eprintln!("spin {spin:.4}, {}: light {worst:.4}, flux {worst_flux:.5}", law.word());
         }
     }
 }
 
-/// Between the table's radii, at which the light is found directly: the disk's own and the light that
-/// the table says has fallen before.
+/// Between the table's radii the light is found directly: the disk's own light that falls there, and
+/// that of the table which has fallen before. At 1.03 r_in, where the light is faint without spin and
+/// the flux nearly zero, they differ by 0.8 % of the flux; farther out by 0.12 % at most.
 #[test]
 fn returning_table_holds_between_its_radii() {
     let law = LimbDarkening::ElectronScattering;
@@ -206,9 +250,21 @@ fn returning_table_holds_between_its_radii() {
             let sky = sky_of_disk(spin, r);
             let fallen = sky.iter().filter_map(|arrival| arrival.flux_from_disk(law));
             let found: f64 = fallen.map(|(source, share)| share * lit.flux(source)).sum();
-            let table = lit.flux(r) - disk.flux(r);
-            eprintln!("spin {spin}, {ratio}: {:.4} of the light, {:.5} of the flux", (found - table) / found, (found - table) / lit.flux(r));
+            let error = (found - (lit.flux(r) - disk.flux(r))).abs() / lit.flux(r);
+            let allowed = if ratio < 1.1 { 1e-2 } else { 1.5e-3 };
+            assert!(error < allowed, "spin {spin}, {ratio} r_in: {error:e}");
         }
+    }
+}
+
+/// A hole faster than any of the table has the light of the fastest.
+#[test]
+fn returning_table_ends_at_its_fastest_hole() {
+    for law in LimbDarkening::ALL {
+        assert_eq!(
+            ReturningLight::new(1.0 - 1e-9, law),
+            ReturningLight::new(MAX_SPIN, law)
+        );
     }
 }
 
@@ -222,17 +278,32 @@ fn relativistic(spin: f64) -> Scene {
     scene
 }
 
-/// Numbers of `docs/physics/disk.md`, for spins and r/r_in.
+/// F_tot/F - 1 as docs/physics/disk.md has it, for electron scattering, rounded there to three
+/// digits.
+const ADDED: [(f64, [f64; 6]); 3] = [
+    (0.0, [2.67, 0.0187, 0.0117, 0.0108, 0.0117, 0.0138]),
+    (0.9, [10.2, 0.0853, 0.0565, 0.0532, 0.0576, 0.0657]),
+    (0.998, [14.2, 0.297, 0.248, 0.242, 0.244, 0.245]),
+];
+
 #[test]
 fn returning_light_adds_as_much_to_the_profile_as_documented() {
-    for spin in [0.0, 0.9, 0.998] {
-        let scene = relativistic(spin);
-        let (lit, disk) = (Profile::new(&scene), at_the_isco(spin));
-        for ratio in [1.02, 1.1, 1.5, 2.2, 3.1, 6.6, 20.0, 1e6] {
+    for (spin, added) in ADDED {
+        let (lit, disk) = (Profile::new(&relativistic(spin)), at_the_isco(spin));
+        for (ratio, expected) in [1.02, 1.5, 2.2, 3.1, 6.6, 20.0].into_iter().zip(added) {
             let r = ratio * disk.inner();
-            eprint!(" {:.4}", lit.flux(r) / disk.flux(r) - 1.0);
+            assert_close(
+                format_args!("spin {spin}, {ratio} r_in"),
+                lit.flux(r) / disk.flux(r) - 1.0,
+                expected,
+                5e-3,
+            );
         }
-        eprintln!();
+        // The scale is that of the disk's own flux, so a disk that counts the light is brighter.
+        let Profile::PageThorne(lit) = lit else {
+            panic!("the profile is not the relativistic one");
+        };
+        assert_eq!(lit.scale(), disk.scale());
     }
 }
 
@@ -261,28 +332,28 @@ fn returning_light_exists_only_where_it_is_known() {
     assert!(scene.has_returning_light());
 }
 
-/// The shader's table, in f64, against the profile, relative to the peak.
+/// The shader's table, in f64, against the profile. Its cubics hold 1/p^2 the better the farther out
+/// they lie. So the error is stated as a share of the returning light at the edge, by radius; the disk
+/// fades over the first hundredths of the radius in most scenes. Measured: 3 % and 1.8 %, then
+/// 1.9e-3, 4.5e-4 and 3.4e-5.
 #[test]
 fn returning_light_is_in_the_shaders_table() {
-    for spin in [0.0, 0.9, 0.998, 0.999_99] {
+    let bounds = [1.000_25, 1.0005, 1.002, 1.005, 1.02, 1e3];
+    let allowed = [0.04, 0.02, 2.5e-3, 6e-4, 5e-5];
+    for spin in [-0.9, 0.0, 0.9, 0.998, 0.999_99] {
         let Profile::PageThorne(disk) = Profile::new(&relativistic(spin)) else {
-            panic!("not relativistic");
+            panic!("the profile is not the relativistic one");
         };
         let (table, inner) = (disk.table(), disk.inner());
-        let peak = at_the_isco(spin).flux(at_the_isco(spin).peak());
-        for (from, to) in [(1.000_05, 1.002), (1.002, 1.005), (1.005, 1.02), (1.02, 1e3)] {
-            let mut worst = 0.0_f64;
-            for i in 0..2000 {
-                let r = inner * (1.0 + (from - 1.0) * ((to - 1.0) / (from - 1.0) as f64).powf(f64::from(i) / 2e3));
-                let depth = 1.0 - (inner / r).sqrt();
-                let position = depth.sqrt() * TABLE_LEN as f64;
-                let entry = (position as usize).min(TABLE_LEN - 1);
-                let t = position - entry as f64;
-                let [a, b, c, d] = table[entry].map(f64::from);
-                let sampled = newtonian_flux(r, inner) * (a + t * (b + t * (c + t * d)));
-                worst = worst.max((sampled - disk.flux(r)).abs() / peak);
+        let edge = disk.flux(inner * (1.0 + 1e-9));
+        for (ends, allowed) in bounds.windows(2).zip(allowed) {
+            for i in 0..=1000 {
+                let share = f64::from(i) / 1000.0;
+                let beyond = (ends[0] - 1.0_f64).powf(1.0 - share) * (ends[1] - 1.0).powf(share);
+                let r = inner * (1.0 + beyond);
+                let error = (sampled_flux(&table, inner, r) - disk.flux(r)).abs() / edge;
+                assert!(error < allowed, "spin {spin}, r {r}: {error:e}");
             }
-            eprintln!("spin {spin} {from}..{to}: {worst:e} (edge {:.3})", disk.flux(inner * 1.000_01) / peak);
         }
     }
 }

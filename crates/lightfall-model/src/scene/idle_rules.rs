@@ -2,8 +2,8 @@
 
 use super::idle::{Idle, Output};
 use super::{
-    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, Method, ObserverKind, Scene, SkyMode,
-    View,
+    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, Method, ObserverKind, Scene,
+    SkyMode, View,
 };
 use Output::{Linear, Rays, Sequence, Still, Window};
 use glam::DVec3;

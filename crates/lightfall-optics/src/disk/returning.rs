@@ -4,8 +4,8 @@
 //! that of the accretion and that of the light which falls on it. Light is the same on both faces,
 //! and the disk is opaque, so only the upper one counts.
 
-use super::{PageThorne, redshift};
 use super::returning_table::{DEPTHS, RADII};
+use super::{PageThorne, redshift};
 use crate::limb::electron_scattering;
 use crate::reference::HoleAndDisk;
 use crate::trace::Outcome;
@@ -107,7 +107,8 @@ pub fn upper_sky(
                 let photon = zamo.photon(direction);
                 let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, DVec3::X);
                 let trace = hole_and_disk.trace(&constants, start);
-                let frequency = 1.0 / redshift(&orbit, constants.energy, constants.angular_momentum);
+                let frequency =
+                    1.0 / redshift(&orbit, constants.energy, constants.angular_momentum);
                 let source = match (trace.hits[0], trace.outcome) {
                     (Some(hit), _) => Source::Disk {
                         r: hit.r,

@@ -28,8 +28,9 @@ pub static DEPTHS: LazyLock<Chebyshev<RADII>> = LazyLock::new(Chebyshev::new);
 static SPIN_PLACES: LazyLock<Chebyshev<SPINS>> = LazyLock::new(Chebyshev::new);
 
 /// The logarithms of the numbers of the asset.
-static LOGARITHMS: LazyLock<[[[f64; RADII]; SPINS]; LAWS]> =
-    LazyLock::new(|| read(ASSET).unwrap_or_else(|fault| panic!("assets/disk/returning.csv: {fault}")));
+static LOGARITHMS: LazyLock<[[[f64; RADII]; SPINS]; LAWS]> = LazyLock::new(|| {
+    read(ASSET).unwrap_or_else(|fault| panic!("assets/disk/returning.csv: {fault}"))
+});
 
 /// Light that falls back on the disk around a hole of one spin, in units of the flux that the disk
 /// would have if its torque did not vanish at the inner edge.
