@@ -24,6 +24,10 @@ pub fn inner_period(scene: &Scene) -> Option<f64> {
 
 /// The radial profile of a scene's disk.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a scene has one profile, which is made once and passed by reference"
+)]
 pub enum Profile {
     /// [`newtonian_flux`] of a disk with this inner edge, in r_s.
     Newtonian(f64),
