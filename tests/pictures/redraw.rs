@@ -88,6 +88,14 @@ fn the_frame_after_a_change_is_the_changed_scene() {
     let mut procedural = small();
     procedural.sky.mode = SkyMode::Procedural;
     assert_next_frames(&procedural, &[("sky.seed", |scene| scene.sky.seed = 7)]);
+    // Returning light is known for relativistic disks from the innermost stable orbit on.
+    let mut relativistic = small();
+    (relativistic.hole.spin, relativistic.disk.follow_isco) = (0.998, true);
+    relativistic.disk.model = DiskModel::PageThorne;
+    assert_next_frames(
+        &relativistic,
+        &[("disk.returning", |scene| scene.disk.returning = true)],
+    );
 }
 
 /// A chain of passes that begins with every change that can be made with those before it. A number

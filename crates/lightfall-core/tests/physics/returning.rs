@@ -63,18 +63,22 @@ fn returning_light_comes_from_half_a_sky() {
 
 /// Igata, Nakashi & Ogasawara 2020: of the photons that matter at the innermost stable orbit emits
 /// evenly in all directions around a hole of spin 0.998, 58.8 % escape. Light that arrives has the
-/// same paths, in reverse. The tolerance is the rounding of their number and 1e-3 for the edge of the
-/// hole's image, which the rays sample.
+/// same paths, in reverse. The tolerance is the rounding of their number and 1e-4 for the edge of the
+/// hole's image: twice as many rays change the share by 5e-5.
 #[test]
 fn returning_rays_escape_as_often_as_published() {
     let spin = 0.998;
-    let sky = upper_sky(spin, None, Kerr { spin }.isco(), SAMPLING).unwrap();
+    let sampling = Sampling {
+        nodes: 80,
+        azimuths: 256,
+    };
+    let sky = upper_sky(spin, None, Kerr { spin }.isco(), sampling).unwrap();
     let escaped = total(
         &sky,
         |source| source == Source::Sky,
         |arrival| arrival.solid_angle,
     );
-    assert!((escaped / TAU - 0.588).abs() < 1.5e-3, "{}", escaped / TAU);
+    assert!((escaped / TAU - 0.588).abs() < 6e-4, "{}", escaped / TAU);
 }
 
 /// At spin 0.998 and r = 0.973 another tracer, in Mino time with other integrators, finds 34 % of the
@@ -128,7 +132,8 @@ fn gain(spin: f64, limb: fn(f64) -> f64) -> [f64; 2] {
 /// Thorne 1974: the light that a hole swallows stops its accretion from spinning it up at 0.9978 if
 /// the disk shines evenly in all directions, and at 0.9982 if it scatters on electrons. There 30.2 and
 /// 30.8 % of the rest mass escape as light. d(J/M^2) = 0 where L = 2 chi M E. The excess is nearly
-/// linear between the two spins, so the secant gives its root within 1e-5.
+/// linear between two spins about the limit, so the secant gives its root within 1e-5. The tolerances
+/// are half a unit of his last digits, and a tenth of a unit for the rays.
 #[test]
 fn returning_rays_to_the_hole_give_thornes_limiting_spins() {
     let even: fn(f64) -> f64 = |_| 1.0;
@@ -141,9 +146,9 @@ fn returning_rays_to_the_hole_give_thornes_limiting_spins() {
         let share = low[0] / (low[0] - high[0]);
         let spin = ends[0] + (ends[1] - ends[0]) * share;
         assert!((spin - limit).abs() < 6e-5, "{spin}, not {limit}");
-        let escaped = low[1] + (high[1] - low[1]) * share;
+        let escaped = 0.5 * (low[1] + high[1]);
         assert!(
-            (escaped - efficiency).abs() < 1e-3,
+            (escaped - efficiency).abs() < 6e-4,
             "{escaped}, not {efficiency}"
         );
     }
