@@ -3,7 +3,8 @@
 // observers with zero angular momentum (ZAMO) at both ends, who measure the frequency E (1 - omega
 // lambda) / N.
 //
-// Gives: beaming_factor, disk_lambda, disk_shift, lapse_and_dragging, sky_shift, straight_lambda.
+// Gives: beaming_factor, camera_gravity, disk_lambda, disk_shift, lapse_and_dragging, sky_shift,
+//     straight_lambda.
 
 // The factor by which a shift multiplies bolometric intensity: g^4, since I_nu / nu^3 is the same
 // for all observers (Misner, Thorne & Wheeler 1973, section 22.6).

@@ -52,6 +52,18 @@ pub enum GpuError {
          shows this view"
     )]
     ErrorsInBrowser,
+    /// The method follows no rays through matter.
+    #[error(
+        "method = \"{}\" is refused: it meets the disk where rays cross its plane, and disk.thickness = {thickness} gives it \
+         depth; auto and mino trace it", .method.word()
+    )]
+    MethodOfSheet { method: Method, thickness: f64 },
+    /// Straight rays meet no matter with depth.
+    #[error(
+        "effects.lensing = false is refused: straight rays meet the disk where they cross its plane, and disk.thickness = \
+         {thickness} gives it depth; disk.thickness = 0 makes it a sheet"
+    )]
+    StraightRays { thickness: f64 },
     /// The device has too little free memory.
     #[error("the graphics device has too little free memory: {0}")]
     OutOfMemory(String),

@@ -1,9 +1,12 @@
 //! The contents of the uniforms that a scene's shaders read, beside the scene's own numbers: a new
 //! uniform is a row of [`bindings`], and an arm of [`Inputs::contents`].
 
-use super::bindings::{self, Binding, ERROR_MAP, HOT_SPOT, PAGE_THORNE, SPECTRUM, STRUCTURE, TILT};
+use super::bindings::{
+    self, Binding, ERROR_MAP, HOT_SPOT, PAGE_THORNE, SPECTRUM, STRUCTURE, THICK_DISK, TILT,
+};
 use super::error_map::ErrorMap;
 use super::kernel::{table_bytes, uniform};
+use super::medium::GpuThickDisk;
 use super::scene::{GpuHotSpot, GpuTilt};
 use super::structure::GpuStructure;
 use lightfall_model::scene::{HotSpotKind, Scene, View};
@@ -63,6 +66,7 @@ impl<'a> Inputs<'a> {
             }
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),
             STRUCTURE => Some(uniform(&GpuStructure::new(scene, self.max_waves)?)),
+            THICK_DISK => Some(uniform(&GpuThickDisk::new(scene)?)),
             PAGE_THORNE => match Profile::new(scene) {
                 Profile::PageThorne(disk) => Some(table_bytes(&disk.table())),
                 Profile::Newtonian(_) => None,

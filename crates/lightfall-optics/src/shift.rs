@@ -93,7 +93,13 @@ impl Shift {
 
     /// Shift of light from the disk at `r`, where `g` is the full shift.
     pub fn of_disk(&self, g: f64, r: f64, lambda: f64) -> f64 {
-        let emitter = Self::frame(self.kerr, self.effects, r, FRAC_PI_2);
+        self.of_matter(g, (r, FRAC_PI_2), lambda)
+    }
+
+    /// Shift of light from matter at the radius and the angle `theta` of `place`, where `g` is the
+    /// full shift.
+    pub fn of_matter(&self, g: f64, (r, theta): (f64, f64), lambda: f64) -> f64 {
+        let emitter = Self::frame(self.kerr, self.effects, r, theta);
         let camera = (1.0 - self.camera.dragging * lambda) / self.camera.lapse;
         self.active_part(
             g,

@@ -189,7 +189,7 @@ fn text(text: &str) -> Text {
 /// The method that traced the light, with `auto` resolved.
 fn method(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
-        scene.method.resolved().word()
+        scene.resolved_method().word()
     } else {
         "straight lines, without lensing"
     }

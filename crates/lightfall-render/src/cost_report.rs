@@ -228,7 +228,7 @@ fn chain_with_everything(chain: &Chain) -> Chain {
 /// The word of the method that traces the scene; without lensing, what takes its place.
 fn traced_by(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
-        scene.method.resolved().word()
+        scene.resolved_method().word()
     } else {
         "straight"
     }

@@ -5,7 +5,7 @@ use lightfall_core::scene::{Scene, View};
 /// Why a view of the scene would have nothing to show, in one sentence. `None` if it shows something.
 #[must_use]
 pub fn why_empty(view: View, scene: &Scene) -> Option<&'static str> {
-    let method = scene.method.resolved().properties();
+    let method = scene.resolved_method().properties();
     let steps = scene.effects.lensing && method.steps;
     match view {
         View::Unfinished if !scene.effects.lensing || method.answers_every_ray => {

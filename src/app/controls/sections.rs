@@ -79,6 +79,10 @@ pub const SECTIONS: &[Section] = sections! {
         "disk.tilt_deg" "Tilt" Linear(0.0, 180.0);
         "disk.node_deg" "Node's azimuth" Linear(-180.0, 180.0);
         "disk.transmission" "Transparency" Plain;
+        "disk.thickness" "Thickness" Plain;
+        "disk.depth" "Optical depth" Logarithmic(0.1, 200.0);
+        "disk.flare" "Flare" Linear(-1.0, 1.0);
+        "disk.outer_taper" "Outer fade" Plain;
         "disk.edge_taper" "Soft edges" Plain;
         "disk.model" "Brightness law" Plain;
         "disk.limb" "Limb darkening" Plain;

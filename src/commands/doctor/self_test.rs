@@ -36,7 +36,7 @@ impl StatedErrors {
     /// The errors stated for the method that traces this scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let method = scene.method.resolved();
+        let method = scene.resolved_method();
         let max = tolerance(&scene.with_method(method));
         let p99 = method.backward_p99(scene.hole.spin).unwrap_or(max);
         Self { p99, max }
@@ -109,7 +109,7 @@ impl SelfTest {
         let backward = errors.backward;
         Ok(Self {
             scene: name.into(),
-            method: scene.method.resolved().word(),
+            method: scene.resolved_method().word(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
             backward_max_px: backward.max / scene.pixel_angle(),

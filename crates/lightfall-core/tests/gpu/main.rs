@@ -36,6 +36,7 @@ mod light;
 #[path = "../physics/light_without_spin.rs"]
 mod light_without_spin;
 mod limb;
+mod medium;
 mod mino;
 #[path = "../physics/moved_camera.rs"]
 mod moved_camera;

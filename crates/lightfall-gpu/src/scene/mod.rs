@@ -26,7 +26,7 @@ use super::error::GpuError;
 use encase::ShaderType;
 use glam::{DMat3, UVec2};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::scene::{Frame, Scene, View};
+use lightfall_model::scene::{Frame, Method, Scene, View};
 use lightfall_optics::camera_rays::CameraRays;
 
 /// A scene in the GPU's numbers.
@@ -100,6 +100,16 @@ fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
     }
     if cfg!(target_arch = "wasm32") && scene.view == View::Error {
         return Err(GpuError::ErrorsInBrowser);
+    }
+    if scene.has_medium() {
+        let thickness = scene.disk.thickness;
+        let method = scene.resolved_method();
+        if method != Method::Mino {
+            return Err(GpuError::MethodOfSheet { method, thickness });
+        }
+        if !scene.effects.lensing {
+            return Err(GpuError::StraightRays { thickness });
+        }
     }
     let r = scene.camera.r;
     if r <= kerr.horizon() && !method.inside {

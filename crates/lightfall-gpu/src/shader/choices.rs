@@ -81,7 +81,13 @@ impl Variant {
             HotSpotKind::None => "disk/hot_spot/none.wgsl",
             HotSpotKind::Rigid | HotSpotKind::Sheared => "disk/hot_spot/spot.wgsl",
         };
+        let dim = if self.medium_nodes > 0 {
+            "medium/dim.wgsl"
+        } else {
+            "stars/dim.wgsl"
+        };
         let own = [
+            dim,
             "disk.wgsl",
             "disk/cover.wgsl",
             "disk/emission.wgsl",
@@ -90,6 +96,7 @@ impl Variant {
         let named = [
             file("disk", self.disk_model.word()),
             file("disk/limb", self.limb.word()),
+            file("medium/source", self.limb.word()),
         ];
         let own = own.iter().chain(structure).copied().map(str::to_owned);
         own.chain(named).collect()
@@ -132,7 +139,12 @@ impl Variant {
             View::Unfinished => View::Colour,
             view => view,
         };
-        let mut files = vec![file("view", view.word())];
+        let folder = if self.medium_nodes > 0 {
+            "medium"
+        } else {
+            "view"
+        };
+        let mut files = vec![file(folder, view.word())];
         if view.properties().traces {
             files.push("view/traced.wgsl".into());
         }

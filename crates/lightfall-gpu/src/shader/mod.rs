@@ -22,6 +22,7 @@ pub use files::ShaderFiles;
 pub use text::ShaderText;
 pub use tracer::Tracer;
 
+use crate::medium::medium_nodes;
 use crate::stars::StarKernel;
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::{
@@ -55,6 +56,8 @@ pub struct Variant {
     pub repeats: bool,
     /// The hot spot; none where none is drawn.
     pub hot_spot: HotSpotKind,
+    /// Nodes of each chunk of matter with depth, or 0 without such matter.
+    pub medium_nodes: u32,
     /// The disk's limb darkening; none where none is drawn.
     pub limb: LimbDarkening,
     /// Nodes of the integral of the delay, or 0 if the delay is not used.
@@ -149,6 +152,11 @@ impl Variant {
             structure,
             repeats: structure && scene.disk.period > 0.0,
             hot_spot,
+            medium_nodes: if lit && scene.has_medium() {
+                medium_nodes(scene.quality.max_error_light)
+            } else {
+                0
+            },
             limb: if lit {
                 scene.disk.limb
             } else {
@@ -233,6 +241,7 @@ impl Variant {
             structure: false,
             repeats: false,
             hot_spot: HotSpotKind::None,
+            medium_nodes: 0,
             limb: LimbDarkening::None,
             delay_nodes: 0,
             throat: false,

@@ -6,6 +6,7 @@ use super::text::{add_constant, add_u32};
 use super::{Entry, Variant};
 use crate::antialias;
 use crate::error_map::ErrorMap;
+use crate::medium;
 use crate::starlight;
 use crate::stars::add_star_constants;
 use crate::structure::GpuStructure;
@@ -69,6 +70,9 @@ impl Variant {
         if self.structure {
             add_constant(&mut text, "REPEATS", "bool", self.repeats);
             GpuStructure::add_constants(&mut text);
+        }
+        if self.medium_nodes > 0 {
+            medium::add_constants(&mut text, self.medium_nodes);
         }
         if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
             text.push_str(&delay_nodes(self.delay_nodes));

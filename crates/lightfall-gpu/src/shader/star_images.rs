@@ -19,7 +19,10 @@ impl Variant {
             ..through_disk
         };
         match kernel {
-            StarKernel::Dim => Some(through_disk),
+            StarKernel::Dim => Some(Self {
+                medium_nodes: Self::picture(scene).medium_nodes,
+                ..through_disk
+            }),
             StarKernel::TraceMesh | StarKernel::Interpolate | StarKernel::RefineImage => {
                 Some(to_sky)
             }
@@ -39,12 +42,14 @@ impl Variant {
     }
 
     /// Whether a mesh of rays finds the images of the scene's stars. Rays in closed form without
-    /// spin and straight ones are inverted instead.
+    /// spin and straight ones are inverted instead, and those around such a hole that pass through
+    /// matter.
     pub fn uses_star_mesh(scene: &Scene) -> bool {
-        !matches!(
-            Tracer::of(scene),
-            Tracer::Method(Method::Closed) | Tracer::Straight
-        )
+        let inverted = match Tracer::of(scene) {
+            Tracer::Method(Method::Closed) | Tracer::Straight => true,
+            _ => scene.has_medium() && scene.hole.spin == 0.0,
+        };
+        !inverted
     }
 
     /// The scene's shaders among those that find the images of stars, in their order.

@@ -19,7 +19,7 @@ impl Tracer {
         if !scene.effects.lensing {
             return Self::Straight;
         }
-        match scene.method.resolved() {
+        match scene.resolved_method() {
             Method::Closed if scene.hole.spin != 0.0 => Self::ClosedKerr,
             Method::Reference => Self::Method(Method::Closed),
             method => Self::Method(method),

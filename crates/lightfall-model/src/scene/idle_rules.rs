@@ -2,7 +2,7 @@
 
 use super::idle::{Idle, Output};
 use super::{
-    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, Method, ObserverKind, Scene,
+    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, ObserverKind, Scene,
     SkyMode, View,
 };
 use Output::{Linear, Rays, Sequence, Still, Window};
@@ -78,7 +78,7 @@ fn shows_rays(scene: &Scene) -> bool {
 }
 
 fn setting(scene: &Scene) -> AccuracySetting {
-    scene.method.resolved().properties().setting
+    scene.resolved_method().properties().setting
 }
 
 /// Whether the camera is at rest for observers with zero angular momentum, in whose frame nothing is
@@ -113,6 +113,8 @@ const DISK_LIGHT: &[&str] = &[
     "disk.transmission",
     "disk.structure",
 ];
+/// The shape of a disk with thickness, and how much of it there is.
+const THICKNESS: &[&str] = &["disk.depth", "disk.flare", "disk.outer_taper"];
 const STRUCTURE: &[&str] = &[
     "disk.contrast",
     "disk.scale",
@@ -161,11 +163,12 @@ pub(super) const RULES: &[Rule] = &[
     rule(&[TEXTS], &[Still, Sequence, Linear], always,
         "the file of the picture holds this text, and the picture does not show it", ""),
     rule(&[TEXTS], &[Rays], always, "rays carry no text", ""),
-    rule(&[DISK_LIGHT, STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT, &["picture.", "probe.", "view"]],
-        &[Rays], always, "traced rays carry no light", ""),
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT,
+        &["picture.", "probe.", "view"]], &[Rays], always, "traced rays carry no light", ""),
 
     rule(&[DISK_SHAPE], ALL, |scene| !scene.disk.enabled, "the disk is off", "disk.enabled=true"),
-    rule(&[DISK_LIGHT, STRUCTURE, CLOCK, HOT_SPOT], PICTURES, |scene| !scene.disk.enabled,
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT], PICTURES,
+        |scene| !scene.disk.enabled,
         "the disk is off", "disk.enabled=true"),
     rule(&[&["disk.inner"]], ALL, |scene| scene.disk.follow_isco,
         "the disk begins at the innermost stable orbit", "disk.follow_isco=false"),
@@ -180,6 +183,10 @@ pub(super) const RULES: &[Rule] = &[
         "around a hole that spins the disk lies in the equator; hole.spin=0 with disk.tilt_deg=30 uses it", ""),
     rule(&[&["disk.node_deg"]], ALL, |scene| !scene.disk.is_tilted(),
         "the disk is not tilted", "disk.tilt_deg=30"),
+    rule(&[THICKNESS, &["quality.max_error_light"]], ALL, |scene| !scene.has_medium(),
+        "the disk has no thickness", "disk.thickness=0.06"),
+    rule(&[&["disk.transmission"]], ALL, Scene::has_medium,
+        "disk.depth decides what passes through a disk with thickness", "disk.thickness=0"),
 
     rule(&[&["method", "quality."]], ALL, |scene| !scene.effects.lensing,
         "without bending rays are straight lines", "effects.lensing=true"),
@@ -188,10 +195,10 @@ pub(super) const RULES: &[Rule] = &[
         "only Mino time keeps a largest error: the method in use does not control it", "method=mino"),
     rule(&[STEPS], ALL, |scene| setting(scene) != AccuracySetting::StepScale,
         "only the methods that take steps use it: Verlet and Kerr-Schild", "method=kerr-schild"),
-    value_rule(&[&["method"]], ALL, |scene| scene.method == Method::BEST,
+    value_rule(&[&["method"]], ALL, |scene| scene.method == scene.best_method(),
         "auto, the default, means the same method", "method=mino"),
     value_rule(&[&["view"]], PICTURES, |scene| scene.view == View::Unfinished
-        && scene.method.resolved().properties().answers_every_ray,
+        && scene.resolved_method().properties().answers_every_ray,
         "this method leaves no ray unfinished", "method=verlet"),
     value_rule(&[&["observer.kind"]], ALL,
         |scene| scene.observer.kind == ObserverKind::Zamo && scene.hole.spin == 0.0,
@@ -205,7 +212,8 @@ pub(super) const RULES: &[Rule] = &[
         |scene| !scene.effects.aberration && !scene.effects.doppler,
         "motion neither displaces nor shifts light", "effects.aberration=true"),
 
-    rule(&[DISK_LIGHT, STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT, SCREEN], PICTURES, shows_no_light,
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT, SCREEN],
+        PICTURES, shows_no_light,
         "this view shows no light", "view=colour"),
     rule(&[&["effects.doppler", "effects.gravitational_shift"]], PICTURES, shows_rays,
         "this view shows no light", "view=colour"),

@@ -26,6 +26,7 @@ pub mod journey;
 mod light_sources;
 mod limits;
 mod load;
+mod matter;
 mod method;
 mod pose;
 pub mod presets;

@@ -71,7 +71,7 @@ impl Scene {
     /// The least step of the method's rule: `quality.min_step`, or the article's own. Zero for
     /// methods that have none.
     pub fn min_step(&self) -> f64 {
-        let own = self.method.resolved().properties().min_step;
+        let own = self.resolved_method().properties().min_step;
         if own > 0.0 && self.quality.min_step > 0.0 {
             self.quality.min_step
         } else {
@@ -83,7 +83,7 @@ impl Scene {
     /// a budget.
     pub fn budget_ratio(&self) -> f64 {
         let budgeted = self.effects.lensing
-            && self.method.resolved().properties().setting == AccuracySetting::StepScale;
+            && self.resolved_method().properties().setting == AccuracySetting::StepScale;
         if budgeted {
             f64::from(self.quality.max_steps.max(ARTICLE_MAX_STEPS)) / f64::from(ARTICLE_MAX_STEPS)
         } else {

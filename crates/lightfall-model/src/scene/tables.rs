@@ -230,8 +230,16 @@ table! {
         /// Width of the fade at each edge, as a fraction of its radius; emission and opacity fade
         /// together.
         edge_taper: f64 = 0.03, Range::closed(0.0, 0.5), "";
-        /// Share of the light from behind that passes through.
+        /// Share of the light from behind that passes through, for a disk without thickness.
         transmission: f64 = 0.0, SHARE, "";
+        /// Height over radius, at four times the inner edge; 0 for a sheet without thickness.
+        thickness: f64 = 0.0, Range::closed(0.0, 0.3), "";
+        /// Optical depth of a disk with thickness, along its normal.
+        depth: f64 = 12.0, Range::closed(0.1, 200.0), "";
+        /// Power of the radius with which the height over the radius grows.
+        flare: f64 = 0.0, Range::closed(-1.0, 1.0), "";
+        /// Width of the fade at the outer edge of a disk with thickness, as a fraction of its radius.
+        outer_taper: f64 = 0.45, Range::closed(0.0, 0.9), "";
         /// How the surface's brightness depends on the angle at which it is seen.
         limb: LimbDarkening = LimbDarkening::default();
         /// Whether light of the disk that gravity bends back to it heats it: by 1 % of its flux
@@ -381,6 +389,9 @@ table! {
     pub struct Quality in (quality) {
         /// Largest error of a ray, for method mino.
         max_error_px: f64 = 0.05, Range::closed(1e-4, 1.0), "pixels";
+        /// Largest error of the light of matter with depth, which 95 of 100 pixels hold, as a share
+        /// of the light.
+        max_error_light: f64 = 0.02, Range::closed(1e-4, 1.0), "";
         /// Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high.
         /// Above 0.85 other limits of kerr-schild's steps decide.
         step_scale: f64 = 0.85, Range::above(0.0, 16.0), "";

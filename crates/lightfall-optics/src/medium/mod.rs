@@ -7,12 +7,14 @@
 //! of the equation of transfer (Rybicki & Lightman 1979, eq. 1.30), whose intensity over the cube of
 //! the frequency is the same for all observers.
 
+mod light;
 mod nodes;
 mod source;
 mod spans;
 mod thick_disk;
 mod transfer;
 
+pub use light::Medium;
 pub use nodes::Nodes;
 pub use source::{emission_scale, scattering_source};
 pub use spans::{Span, spans};

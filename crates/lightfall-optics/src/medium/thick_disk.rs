@@ -3,7 +3,7 @@
 
 use super::source::{emission_scale, scattering_source};
 use lightfall_model::geometry::kerr::{Kerr, MASS};
-use lightfall_model::scene::LimbDarkening;
+use lightfall_model::scene::{LimbDarkening, Scene};
 
 /// The share of the height that remains at the edges, where the depth vanishes. Without it, tips of
 /// the disk would be thinner than any pixel.
@@ -14,7 +14,7 @@ const HALF_OPENING: f64 = 3.0;
 const PIVOT: f64 = 4.0;
 /// The least -(g_tt + 2 g_tphi Omega + g_phiphi Omega^2) of the matter: beside the photon orbit no
 /// matter can rotate like this, and its light is all but gone.
-const MIN_CLOCK: f64 = 1e-9;
+const MIN_CLOCK: f64 = 1e-6;
 
 /// The numbers of a disk's shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +62,37 @@ impl ThickDisk {
         }
     }
 
+    /// The disk of a scene; `None` if it has no thickness.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let disk = &scene.disk;
+        let shape = Shape {
+            edges: [scene.inner_edge(), disk.outer],
+            tapers: [disk.edge_taper, disk.outer_taper],
+            thickness: disk.thickness,
+            flare: disk.flare,
+            depth: disk.depth,
+        };
+        scene
+            .has_medium()
+            .then(|| Self::new(scene.kerr(), shape, disk.limb))
+    }
+
+    /// The scale of the source of a scattering disk; 1 for one that is equally bright from
+    /// everywhere.
+    pub fn emission_scale(&self) -> f64 {
+        self.emission_scale
+    }
+
+    /// The radius at which the thickness is that of the shape.
+    pub fn pivot(&self) -> f64 {
+        PIVOT * self.shape.edges[0]
+    }
+
+    /// The half opening at the pivot, without the edges' fades.
+    pub fn pivot_half_opening(&self) -> f64 {
+        HALF_OPENING * self.shape.thickness
+    }
+
     /// The radii where the fades of the edges begin and end, in growing order: between two of them
     /// the disk is smooth.
     pub fn radii(&self) -> [f64; 4] {
@@ -89,17 +120,17 @@ impl ThickDisk {
         let [_, out] = self.fades(r);
         let torque = 1.0 - (inner / r).powf(1.5);
         let height = EDGE_HEIGHT + (1.0 - EDGE_HEIGHT) * torque * out;
-        let flare = (r / (PIVOT * inner)).powf(self.shape.flare);
-        HALF_OPENING * self.shape.thickness * height * flare
+        let flare = (r / self.pivot()).powf(self.shape.flare);
+        self.pivot_half_opening() * height * flare
     }
 
     /// The largest half opening of any radius, at most.
     pub fn max_half_opening(&self) -> f64 {
-        let outermost = self.shape.edges[1] / (PIVOT * self.shape.edges[0]);
-        let flare = outermost
-            .powf(self.shape.flare)
-            .max(PIVOT.powf(-self.shape.flare));
-        HALF_OPENING * self.shape.thickness * flare
+        let flares = self
+            .shape
+            .edges
+            .map(|r| (r / self.pivot()).powf(self.shape.flare));
+        self.pivot_half_opening() * flares[0].max(flares[1])
     }
 
     /// Optical depth along the normal at radius `r`.

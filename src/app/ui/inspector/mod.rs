@@ -243,7 +243,7 @@ fn heading(
     units: Units,
 ) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
-    let (picture, method) = (&seen.picture, seen.method.resolved().word());
+    let (picture, method) = (&seen.picture, seen.resolved_method().word());
     let mut text = format!("Pixel {x}, {y} of {} x {}", picture.width, picture.height);
     if !units.are_simple() {
         text += &format!(", method {method}");
