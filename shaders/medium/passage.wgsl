@@ -187,7 +187,10 @@ fn passage(photon: Photon) -> Passage {
             ray.chi = add_angle(ray.chi, gain);
         }
         if end.escapes {
-            record_escape(&result.ray, ray, end, orbit.constants.energy);
+            // A pointer to a part of a variable is no argument in WGSL.
+            var escaped = result.ray;
+            record_escape(&escaped, ray, end, orbit.constants.energy);
+            result.ray = escaped;
             break;
         }
         ray.y = end.y;
