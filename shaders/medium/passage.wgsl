@@ -6,7 +6,7 @@
 // A chunk has Gauss-Legendre nodes, four in a vector. The depth up to each of them follows from the
 // polynomial through the densities at all of them.
 //
-// Gives: Passage, passage.
+// Gives: Factors, Passage, Places, Way, passage.
 
 struct Passage {
     // The light of the medium, and the share of the light from behind that comes through it.
@@ -29,6 +29,25 @@ struct Places {
     rate: vec4<f32>,
 }
 
+// The factors by which structure multiplies the flux and the density at four places.
+struct Factors {
+    flux: vec4<f32>,
+    density: vec4<f32>,
+}
+
+// A step of a ray: its path, and what the ray had at its start.
+struct Way {
+    path: Curve,
+    step: Step,
+    motion: Motion,
+    h: f32,
+    chi: Angle,
+    delay: f32,
+    ingoing: bool,
+    // Whether r does not turn within the step, next to the horizon.
+    regular: bool,
+}
+
 // Places of a part at which the smooth density decides where chunks end.
 const DENSITIES: u32 = 9u;
 // More chunks than a part has before nothing comes through it.
@@ -36,34 +55,40 @@ const MAX_CHUNKS: u32 = 16u;
 // A chunk with more depth than this is summed in order: the polynomial would overshoot.
 const MAX_SMOOTH_DEPTH: f32 = 4.0;
 
-fn places_at(path: Curve, orbit: KerrRay, base: f32, h: f32, share: vec4<f32>) -> Places {
+fn places_at(way: Way, orbit: KerrRay, share: vec4<f32>) -> Places {
+    let path = way.path;
     let v = path.c0.x + share * (path.c1.x + share * (path.c2.x + share * (path.c3.x + share * (path.c4.x + share * path.c5.x))));
     let n_z = path.c0.y + share * (path.c1.y + share * (path.c2.y + share * (path.c3.y + share * (path.c4.y + share * path.c5.y))));
-    let r = 1.0 / max(base + v, vec4<f32>(TINY));
+    let r = 1.0 / max(way.motion.base + v, vec4<f32>(TINY));
     let opening = half_opening(r);
     let turning = rotation(r, n_z);
     let slowing = turning.u_t * max(orbit.constants.energy - turning.omega * orbit.angular_momentum, vec4<f32>(1e-6));
     let sigma = r * r + square(scene.hole.a) * n_z * n_z;
-    return Places(r, n_z, opening, slowing, h * sigma * slowing * opacity(r, n_z, opening));
+    return Places(r, n_z, opening, slowing, way.h * sigma * slowing * opacity(r, n_z, opening));
 }
 
 // The radiance of an opaque body at one of four places, as the camera sees it. The flux F in the
-// matter's frame has the temperature T_scale F^(1/4).
-fn body_light(r: f32, g: f32) -> vec3<f32> {
-    let flux = disk_flux(r);
+// matter's frame has the temperature T_scale F^(1/4). `factor` is that of the structure.
+fn body_light(r: f32, g: f32, factor: f32) -> vec3<f32> {
+    let flux = disk_flux(r) * factor;
     return thermal_colour(scene.disk.temperature * sqrt(sqrt(flux)) * g) * (flux * beaming_factor(g));
 }
 
 // Adds a chunk between two shares of a step.
-fn add_chunk(result: ptr<function, Passage>, path: Curve, orbit: KerrRay, photon: Photon, base: f32, h: f32, ends: vec2<f32>) {
+fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, ends: vec2<f32>) {
     var node_places = MEDIUM_PLACES;
     var node_weights = MEDIUM_WEIGHTS;
     var partial = MEDIUM_PARTIAL;
     let width = ends.y - ends.x;
     var places: array<Places, MEDIUM_BLOCKS>;
+    var flux_factors: array<vec4<f32>, MEDIUM_BLOCKS>;
     var depth = 0.0;
     for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
-        places[i] = places_at(path, orbit, base, h, ends.x + width * node_places[i]);
+        let shares = ends.x + width * node_places[i];
+        places[i] = places_at(way, orbit, shares);
+        let factors = matter_factors(way, shares, width * node_weights[i], places[i]);
+        places[i].rate *= factors.density;
+        flux_factors[i] = factors.flux;
         depth += width * dot(node_weights[i], places[i].rate);
     }
     if depth <= 0.0 {
@@ -87,10 +112,10 @@ fn add_chunk(result: ptr<function, Passage>, path: Curve, orbit: KerrRay, photon
         passed += dot(own, vec4<f32>(1.0));
         let source = share * source_function(at.r, at.n_z, at.opening);
         let g = medium_shift(photon, at.r, at.n_z, orbit.scale / at.slowing);
-        var light = source.x * body_light(at.r.x, g.x);
-        light += source.y * body_light(at.r.y, g.y);
-        light += source.z * body_light(at.r.z, g.z);
-        light += source.w * body_light(at.r.w, g.w);
+        var light = source.x * body_light(at.r.x, g.x, flux_factors[i].x);
+        light += source.y * body_light(at.r.y, g.y, flux_factors[i].y);
+        light += source.z * body_light(at.r.z, g.z, flux_factors[i].z);
+        light += source.w * body_light(at.r.w, g.w, flux_factors[i].w);
         (*result).light += ((*result).transmission * scene.disk.brightness) * light;
     }
     (*result).transmission *= exp(-depth);
@@ -98,9 +123,8 @@ fn add_chunk(result: ptr<function, Passage>, path: Curve, orbit: KerrRay, photon
 }
 
 // Adds the part of a step inside the medium, where the ray has the first `end` of the step.
-fn add_step(result: ptr<function, Passage>, step: Step, orbit: KerrRay, photon: Photon, base: f32, h: f32, end: f32) {
-    let path = curve(step);
-    let span = span_in_medium(path, base, end);
+fn add_step(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, end: f32) {
+    let span = span_in_medium(way.path, way.motion.base, end);
     let width = (span.y - span.x) / f32(DENSITIES - 1u);
     if width <= 1e-7 {
         return;
@@ -111,8 +135,8 @@ fn add_step(result: ptr<function, Passage>, step: Step, orbit: KerrRay, photon: 
     var limit = 1.0;
     var chunk = 0u;
     var place = 1u;
-    var density = places_at(path, orbit, base, h, vec4<f32>(span.x)).rate.x * width;
-    var next_density = places_at(path, orbit, base, h, vec4<f32>(span.x + width)).rate.x * width;
+    var density = places_at(way, orbit, vec4<f32>(span.x)).rate.x * width;
+    var next_density = places_at(way, orbit, vec4<f32>(span.x + width)).rate.x * width;
     var depth = 0.0;
     for (var i = 0u; i < MAX_CHUNKS + DENSITIES; i++) {
         let next_depth = depth + 0.5 * (density + next_density);
@@ -128,7 +152,7 @@ fn add_step(result: ptr<function, Passage>, step: Step, orbit: KerrRay, photon: 
                 stop = min(span.x + width * (f32(place) - 1.0 + share), span.y);
             }
             if stop > start {
-                add_chunk(result, path, orbit, photon, base, h, vec2<f32>(start, stop));
+                add_chunk(result, way, orbit, photon, vec2<f32>(start, stop));
             }
             start = stop;
             limit += select(4.0, 2.0, chunk == 0u);
@@ -140,7 +164,7 @@ fn add_step(result: ptr<function, Passage>, step: Step, orbit: KerrRay, photon: 
             depth = next_depth;
             density = next_density;
             place += 1u;
-            next_density = places_at(path, orbit, base, h, vec4<f32>(span.x + width * f32(place))).rate.x * width;
+            next_density = places_at(way, orbit, vec4<f32>(span.x + width * f32(place))).rate.x * width;
         }
     }
 }
@@ -177,13 +201,17 @@ fn passage(photon: Photon) -> Passage {
         let step = nystroem_step(ray.motion, h * h, ray.y, ray.dy, ray.k);
         let end = end_of(step, ray.motion);
         result.ray.steps += 1u;
-        add_step(&result, step, orbit, photon, ray.motion.base, h, end.share);
         if NEAR_HORIZON && ray.ingoing && !(end.regular && ray.dy.x < 0.0) {
             ray.ingoing = false;
             ray.chi = add_angle(ray.chi, azimuth_lag_to_infinity(ray.motion, ray.y.x));
         }
+        let way = Way(curve(step), step, ray.motion, h, ray.chi, ray.delay, ray.ingoing, end.regular);
+        add_step(&result, way, orbit, photon, end.share);
+        if DELAY {
+            ray.delay += step_delay(ray.motion, step, h);
+        }
         if SPINNING && (SKY_DIRECTION || AZIMUTH) {
-            let gain = azimuth_gain(ray.motion, curve(step), h, end.share, end.y.x, end.regular, ray.ingoing);
+            let gain = azimuth_gain(ray.motion, way.path, h, end.share, end.y.x, end.regular, ray.ingoing);
             ray.chi = add_angle(ray.chi, gain);
         }
         if end.escapes {

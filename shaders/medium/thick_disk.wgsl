@@ -1,7 +1,7 @@
 // A disk with thickness: where it is, how much it absorbs, and how it turns, at four places at once.
 // The twin in f64 is optics/medium/thick_disk.rs.
 //
-// Gives: half_opening, max_half_opening, opacity, rotation, vertical_depth.
+// Gives: half_opening, max_half_opening, opacity, rotation, thick_disk, vertical_depth.
 
 struct ThickDisk {
     // Half of the opening, as the cosine of the angle from the normal, where 1/r is inverse_pivot;
@@ -18,6 +18,9 @@ struct ThickDisk {
     // The scale of a scattering disk's emission, and 1/2 over its depth.
     emission_scale: f32,
     thin_emission: f32,
+    // Standard deviations of the logarithms of the structure's flux and density.
+    flux_spread: f32,
+    density_spread: f32,
 }
 
 @group(0) @binding(BINDING_THICK_DISK) var<uniform> thick_disk: ThickDisk;

@@ -118,6 +118,8 @@ bindings! {
     CANDIDATES: STORAGE;
     /// The number of candidates and of workgroups that find their images, in storage.
     CANDIDATE_COUNT: STORAGE;
+    /// The wave numbers along the normal of the structure of a disk with thickness, a uniform.
+    WAVE_HEIGHTS: UNIFORM, picture;
     /// The uniform `ThickDisk`. It comes after the tables, and no condition reads it.
     THICK_DISK: UNIFORM, picture;
 }

@@ -3,12 +3,13 @@
 
 use super::bindings::{
     self, Binding, ERROR_MAP, HOT_SPOT, PAGE_THORNE, SPECTRUM, STRUCTURE, THICK_DISK, TILT,
+    WAVE_HEIGHTS,
 };
 use super::error_map::ErrorMap;
 use super::kernel::{table_bytes, uniform};
 use super::medium::GpuThickDisk;
 use super::scene::{GpuHotSpot, GpuTilt};
-use super::structure::GpuStructure;
+use super::structure::{GpuStructure, wave_heights};
 use lightfall_model::scene::{HotSpotKind, Scene, View};
 use lightfall_optics::disk::Profile;
 use lightfall_optics::spectrum;
@@ -66,6 +67,7 @@ impl<'a> Inputs<'a> {
             }
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),
             STRUCTURE => Some(uniform(&GpuStructure::new(scene, self.max_waves)?)),
+            WAVE_HEIGHTS => Some(uniform(&wave_heights(scene, self.max_waves)?)),
             THICK_DISK => Some(uniform(&GpuThickDisk::new(scene)?)),
             PAGE_THORNE => match Profile::new(scene) {
                 Profile::PageThorne(disk) => Some(table_bytes(&disk.table())),

@@ -5,6 +5,7 @@ use super::shader::text::{add_constant, add_f32, add_u32};
 use encase::ShaderType;
 use lightfall_model::scene::Scene;
 use lightfall_optics::medium::{Nodes, ThickDisk};
+use lightfall_optics::structure::Structure;
 
 /// Mirror of `ThickDisk` in shaders/medium/thick_disk.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
@@ -18,12 +19,18 @@ pub struct GpuThickDisk {
     pub outer_fade: f32,
     pub emission_scale: f32,
     pub thin_emission: f32,
+    pub flux_spread: f32,
+    pub density_spread: f32,
 }
 
 impl GpuThickDisk {
     /// The numbers of the scene's disk; `None` if it has no thickness.
     pub fn new(scene: &Scene) -> Option<Self> {
         let disk = ThickDisk::of(scene)?;
+        let structure = Structure::new(scene, Some(0));
+        let [flux_spread, density_spread] = structure
+            .map_or([0.0; 2], |structure| structure.spread(&scene.disk))
+            .map(|spread| spread as f32);
         let [_, outer] = disk.shape.edges;
         Some(Self {
             half_opening: disk.pivot_half_opening() as f32,
@@ -34,6 +41,8 @@ impl GpuThickDisk {
             outer_fade: (disk.shape.tapers[1] * outer) as f32,
             emission_scale: disk.emission_scale() as f32,
             thin_emission: (0.5 / disk.shape.depth) as f32,
+            flux_spread,
+            density_spread,
         })
     }
 }

@@ -89,6 +89,22 @@ impl GpuStructure {
     }
 }
 
+/// The waves' numbers along the normal, in the order of [`GpuStructure::groups`]; `None` where no disk
+/// with thickness has structure. Mirror of `wave_heights` in shaders/medium/structure/waves.wgsl.
+pub(crate) fn wave_heights(
+    scene: &Scene,
+    limit: Option<u32>,
+) -> Option<[Vec4; MAX_RINGS * MAX_GROUPS]> {
+    let structure = Structure::new(scene, limit).filter(|_| scene.has_medium())?;
+    let mut heights = [Vec4::ZERO; MAX_RINGS * MAX_GROUPS];
+    for (i, ring) in structure.rings.iter().enumerate() {
+        for (height, waves) in heights[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {
+            *height = Vec4::from_array(waves.map(|wave| wave.kappa as f32));
+        }
+    }
+    Some(heights)
+}
+
 impl GpuGroup {
     fn new(waves: &[Wave; OCTAVES]) -> Self {
         Self {

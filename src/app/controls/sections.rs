@@ -83,6 +83,8 @@ pub const SECTIONS: &[Section] = sections! {
         "disk.depth" "Optical depth" Logarithmic(0.1, 200.0);
         "disk.flare" "Flare" Linear(-1.0, 1.0);
         "disk.outer_taper" "Outer fade" Plain;
+        "disk.lumps" "Lumps" Plain;
+        "disk.lanes" "Dark lanes" Plain;
         "disk.edge_taper" "Soft edges" Plain;
         "disk.model" "Brightness law" Plain;
         "disk.limb" "Limb darkening" Plain;

@@ -1,12 +1,12 @@
 //! The structure of the disk's light in WGSL against its twin in f64.
 
 use crate::gpu;
-use crate::structure_field::{Covariance, StructureField};
+use crate::structure_field::StructureField;
 use encase::ShaderType;
 use glam::{DVec2, Vec2};
 use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{GpuScene, GpuStructure, Variant, bindings};
-use lightfall_core::optics::structure::Structure;
+use lightfall_core::optics::structure::{Covariance, Structure};
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::f64::consts::{PI, TAU};
 
@@ -114,7 +114,8 @@ fn the_shader_finds_the_structure_that_the_cpu_finds() {
             // The scene's own lead in f64 differs from the uniform's by its rounding, which is far
             // less than a wave moves in.
             let emitted = time - lead - f64::from(place.delay);
-            let truth = structure.factor(p.length(), p.y.atan2(p.x), emitted, place.covariance());
+            let truth =
+                structure.factor_at(p.length(), p.y.atan2(p.x), emitted, place.covariance());
             let off = (f64::from(found) / truth).ln().abs();
             assert!(found.is_finite(), "{place:?}: {found}");
             worst = worst.max(off);

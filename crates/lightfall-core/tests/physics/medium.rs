@@ -7,7 +7,7 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::PhotonConstants;
 use lightfall_core::optics::disk::newtonian_flux;
 use lightfall_core::optics::medium::{
-    Nodes, Passage, Place, Shape, ThickDisk, Tolerance, emission_scale,
+    Emission, Matter, Nodes, Passage, Place, Shape, ThickDisk, Tolerance, emission_scale,
 };
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{LimbDarkening, ObserverKind, Scene};
@@ -51,8 +51,8 @@ fn passage(
     let (r, n) = reference.camera();
     let (constants, start) = PhotonConstants::of_photon(disk.kerr, &photon, r, n);
     let nodes = Nodes::new(nodes);
-    disk.passage(&constants, start, &nodes, Tolerance::TRUTH, |place| {
-        DVec3::splat(light(place))
+    disk.passage(&constants, start, &nodes, Tolerance::TRUTH, |place, _| {
+        Matter::smooth(DVec3::splat(light(place)))
     })
 }
 
@@ -171,8 +171,9 @@ fn the_thin_limit_is_the_sheet() {
             let thick = |thickness| {
                 let disk = disk(spin, thickness, 50.0, LimbDarkening::None);
                 let flux = beamed_flux(&disk);
-                let light = |place: &Place| DVec3::splat(flux(place));
-                let seen = disk.passage(&constants, start, &nodes, Tolerance::TRUTH, light);
+                let matter =
+                    |place: &Place, _: &Emission| Matter::smooth(DVec3::splat(flux(place)));
+                let seen = disk.passage(&constants, start, &nodes, Tolerance::TRUTH, matter);
                 seen.light.x
             };
             let extrapolated = 2.0 * thick(0.0005) - thick(0.001);

@@ -3,11 +3,11 @@
 
 use crate::assert_close;
 use crate::random::Random;
-use crate::structure_field::{Covariance, StructureField, Term};
-use glam::DVec3;
+use crate::structure_field::StructureField;
+use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::optics::structure::Structure;
+use lightfall_core::optics::structure::{Covariance, Structure, Term};
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::array;
 use std::f64::consts::{PI, TAU};
@@ -16,11 +16,7 @@ use std::f64::consts::{PI, TAU};
 const RADII: [f64; 5] = [3.2, 4.6, 5.7, 7.1, 10.5];
 
 /// No footprint.
-const POINT: Covariance = Covariance {
-    xx: 0.0,
-    xp: 0.0,
-    pp: 0.0,
-};
+const POINT: Covariance = Covariance::POINT;
 
 /// A random seed of the disk's structure.
 fn random_seed(random: &mut Random) -> u32 {
@@ -56,7 +52,7 @@ fn a_random_field_has_variance_one_and_is_nearly_gaussian() {
     let structure = structure(seed, |_| {});
     for r in RADII {
         let values: Vec<f64> = moments(60_000)
-            .map(|(time, phi)| structure.field(r, phi, time, POINT).value)
+            .map(|(time, phi)| structure.field_at(r, phi, time, POINT).value)
             .collect();
         let moment =
             |power| values.iter().map(|v: &f64| v.powi(power)).sum::<f64>() / values.len() as f64;
@@ -85,7 +81,7 @@ fn the_variance_of_the_waves_is_one_at_every_radius_and_time() {
         for (time, phi) in moments(300) {
             let r = 3.0 * (11.0_f64 / 3.0).powf(phi / TAU);
             // cos^4 has two harmonics: three waves or more per octave cancel both.
-            let field = structure.field(r, phi, time, POINT);
+            let field = structure.field_at(r, phi, time, POINT);
             assert_close(format!("r {r} at {time}"), field.squares, 2.0, 1e-12);
         }
     }
@@ -94,17 +90,15 @@ fn the_variance_of_the_waves_is_one_at_every_radius_and_time() {
 #[test]
 fn the_mean_of_a_random_factor_is_one_whatever_the_contrast_and_the_footprint() {
     // A footprint that hides about half of the waves' power.
-    let blurred = Covariance {
-        xx: 0.0004,
-        xp: 0.0001,
-        pp: 0.001,
-    };
+    let [xx, xp, pp] = [0.0004, 0.0001, 0.001];
+    let blurred = DMat3::from_cols_array_2d(&[[xx, xp, 0.0], [xp, pp, 0.0], [0.0; 3]]);
+    let blurred = Covariance(blurred);
     let seed = random_seed(&mut Random::new());
     for sigma in [0.5, 1.0] {
         let structure = structure(seed, |scene| scene.disk.contrast = sigma);
         for (r, footprint) in RADII.into_iter().flat_map(|r| [(r, POINT), (r, blurred)]) {
             let factors: Vec<f64> = moments(8000)
-                .map(|(time, phi)| structure.factor(r, phi, time, footprint))
+                .map(|(time, phi)| structure.factor_at(r, phi, time, footprint))
                 .collect();
             let (mean, error) = mean_and_error(&factors, 8000.0);
             // Five standard errors: of twenty means one in 90 000 runs is outside.
@@ -134,13 +128,13 @@ fn the_mean_by_squares_and_fourth_powers_is_that_of_bessels_function() {
         let mut worst = 0.0_f64;
         for (time, phi) in moments(2000) {
             let r = 3.0 * (11.0_f64 / 3.0).powf(phi / TAU);
-            let terms = structure.terms(r, phi, time, POINT);
+            let terms = structure.terms_at(r, phi, time, POINT);
             let value: f64 = terms.iter().map(|t| t.amplitude * t.phase.cos()).sum();
             let exact: f64 = terms
                 .iter()
                 .map(|Term { amplitude, .. }| ln_bessel_i0(sigma * amplitude))
                 .sum();
-            let found = structure.field(r, phi, time, POINT).factor(sigma);
+            let found = structure.field_at(r, phi, time, POINT).factor(sigma);
             worst = worst.max((found.ln() - (sigma * value - exact)).abs());
         }
         // The next term is sigma^6 sum A^6/576, with A up to 0.56.
@@ -155,7 +149,7 @@ fn a_random_field_has_no_mean_around_a_circle() {
     for (r, time) in [(3.5, 0.0), (5.0, 1e4), (9.0, -1e7)] {
         let around = |i: u32| TAU * f64::from(i) / 512.0;
         let values: Vec<_> = (0..512)
-            .map(|i| structure.field(r, around(i), time, POINT))
+            .map(|i| structure.field_at(r, around(i), time, POINT))
             .collect();
         // No wave has fewer than one crest or more than 100, so 512 places average each
         // exactly.
@@ -180,13 +174,13 @@ fn a_random_field_is_a_function_of_seed_and_time_without_a_seam() {
     let other = structure(another, |_| {});
     let mut unlike = 0.0_f64;
     for (time, phi) in moments(200) {
-        let early = one.factor(5.0, phi, time, POINT);
-        let late = one.factor(5.0, phi, 1e7, POINT);
+        let early = one.factor_at(5.0, phi, time, POINT);
+        let late = one.factor_at(5.0, phi, 1e7, POINT);
         assert_ne!(early, late);
-        assert_eq!(again.factor(5.0, phi, 1e7, POINT), late);
-        assert_eq!(again.factor(5.0, phi, time, POINT), early);
-        unlike = unlike.max((other.factor(5.0, phi, time, POINT) - early).abs());
-        let seam = one.factor(5.0, PI, time, POINT) / one.factor(5.0, -PI, time, POINT);
+        assert_eq!(again.factor_at(5.0, phi, 1e7, POINT), late);
+        assert_eq!(again.factor_at(5.0, phi, time, POINT), early);
+        unlike = unlike.max((other.factor_at(5.0, phi, time, POINT) - early).abs());
+        let seam = one.factor_at(5.0, PI, time, POINT) / one.factor_at(5.0, -PI, time, POINT);
         assert!((seam - 1.0).abs() < 1e-6, "{seam}");
     }
     assert!(unlike > 0.5, "another seed is another disk: {unlike}");
@@ -201,8 +195,11 @@ fn filaments(seeds: std::ops::Range<u32>, time: f64) -> (f64, f64, f64) {
         for (i, (_, phi)) in moments(400).enumerate() {
             let r = 3.0 * (11.0_f64 / 3.0).powf((i as f64 * 0.754_877_666).fract());
             let step = 1e-4;
-            let value =
-                |dx: f64, dphi: f64| structure.field(r * dx.exp(), phi + dphi, time, POINT).value;
+            let value = |dx: f64, dphi: f64| {
+                structure
+                    .field_at(r * dx.exp(), phi + dphi, time, POINT)
+                    .value
+            };
             let here = value(0.0, 0.0);
             let dx = (value(step, 0.0) - here) / step;
             let dphi = (value(0.0, step) - here) / step;
@@ -250,9 +247,9 @@ fn somebody_who_goes_round_with_the_matter_sees_the_field_forget_itself_within_a
             for (i, (time, phi)) in moments(6000).enumerate() {
                 let structure = &structures[i % 8];
                 let later = orbits * TAU / omega;
-                let here = structure.field(r, phi, time, POINT).value;
+                let here = structure.field_at(r, phi, time, POINT).value;
                 let there = structure
-                    .field(r, phi + omega * later, time + later, POINT)
+                    .field_at(r, phi + omega * later, time + later, POINT)
                     .value;
                 product += here * there;
                 power += 0.5 * (here * here + there * there);
@@ -336,7 +333,7 @@ fn one_filtered_ray_a_pixel_stands_for_many_in_random_fields() {
         let footprint = Covariance::of_pixel(right, down);
         for (structure, sums) in structures.iter().zip(&mut sums) {
             let factor =
-                |[x, phi]: [f64; 2], footprint| structure.factor(x.exp(), phi, 0.0, footprint);
+                |[x, phi]: [f64; 2], footprint| structure.factor_at(x.exp(), phi, 0.0, footprint);
             let many = rays.iter().map(|ray| factor(ray[0], POINT)).sum::<f64>() / 16.0;
             let (one, filtered) = (factor(here[0], POINT), factor(here[0], footprint));
             for (sum, value) in sums.iter_mut().zip([

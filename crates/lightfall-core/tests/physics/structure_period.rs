@@ -1,9 +1,9 @@
 //! The structure of a disk that repeats: exactly after its period, not before, and with the statistics
 //! of one that never does.
 
-use crate::structure_field::{Covariance, StructureField};
+use crate::structure_field::StructureField;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::optics::structure::Structure;
+use lightfall_core::optics::structure::{Covariance, Structure};
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::f64::consts::TAU;
 
@@ -31,7 +31,7 @@ fn places(count: u32) -> impl Iterator<Item = [f64; 3]> {
 }
 
 fn value(structure: &Structure, [r, phi, time]: [f64; 3]) -> f64 {
-    structure.field(r, phi, time, Covariance::default()).value
+    structure.field_at(r, phi, time, Covariance::POINT).value
 }
 
 #[test]

@@ -86,8 +86,14 @@ impl Variant {
         } else {
             "stars/dim.wgsl"
         };
+        let in_matter = if self.structure {
+            "medium/structure/waves.wgsl"
+        } else {
+            "medium/structure/none.wgsl"
+        };
         let own = [
             dim,
+            in_matter,
             "disk.wgsl",
             "disk/cover.wgsl",
             "disk/emission.wgsl",

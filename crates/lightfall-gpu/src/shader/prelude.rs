@@ -73,6 +73,9 @@ impl Variant {
         }
         if self.medium_nodes > 0 {
             medium::add_constants(&mut text, self.medium_nodes);
+            // A single ray sees points, as its twin in f64 does.
+            let filters = self.entry != Entry::TimedLight;
+            add_constant(&mut text, "MEDIUM_FILTERS", "bool", filters);
         }
         if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
             text.push_str(&delay_nodes(self.delay_nodes));

@@ -114,7 +114,13 @@ const DISK_LIGHT: &[&str] = &[
     "disk.structure",
 ];
 /// The shape of a disk with thickness, and how much of it there is.
-const THICKNESS: &[&str] = &["disk.depth", "disk.flare", "disk.outer_taper"];
+const THICKNESS: &[&str] = &[
+    "disk.depth",
+    "disk.flare",
+    "disk.outer_taper",
+    "disk.lumps",
+    "disk.lanes",
+];
 const STRUCTURE: &[&str] = &[
     "disk.contrast",
     "disk.scale",
@@ -218,7 +224,8 @@ pub(super) const RULES: &[Rule] = &[
     rule(&[&["effects.doppler", "effects.gravitational_shift"]], PICTURES, shows_rays,
         "this view shows no light", "view=colour"),
     rule(&[&["disk.rate"]], &[Still, Linear], always, "a single picture shows one moment", ""),
-    rule(&[STRUCTURE], PICTURES, |scene| scene.disk.structure == DiskStructure::None,
+    rule(&[STRUCTURE, &["disk.lumps", "disk.lanes"]], PICTURES,
+        |scene| scene.disk.structure == DiskStructure::None,
         "the disk is smooth", "disk.structure=turbulent"),
     rule(&[&["disk.returning"]], PICTURES, |scene| scene.disk.model == DiskModel::Newtonian,
         "only the relativistic brightness law counts light that returns to the disk",
@@ -239,7 +246,10 @@ pub(super) const RULES: &[Rule] = &[
         "sky.reference_star"]], PICTURES, |scene| scene.sky.brightness == 0.0,
         "the sky's brightness is 0", "sky.brightness=1"),
     rule(&[&["disk.scale", "disk.aspect", "disk.pitch_deg", "disk.lifetime", "disk.period", "disk.waves",
-        "disk.seed"]], PICTURES, |scene| scene.disk.contrast == 0.0,
+        "disk.seed"]], PICTURES,
+        |scene| scene.disk.contrast == 0.0 && !(scene.has_medium() && scene.disk.lumps > 0.0),
+        "the structure's contrast is 0", "disk.contrast=0.6"),
+    rule(&[&["disk.lanes"]], PICTURES, |scene| scene.disk.contrast == 0.0,
         "the structure's contrast is 0", "disk.contrast=0.6"),
     rule(&[&["hot_spot.r", "hot_spot.phi_deg", "hot_spot.size", "hot_spot.time", "hot_spot.duration"]],
         PICTURES, |scene| scene.hot_spot.strength == 0.0,

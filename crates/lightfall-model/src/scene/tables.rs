@@ -240,6 +240,10 @@ table! {
         flare: f64 = 0.0, Range::closed(-1.0, 1.0), "";
         /// Width of the fade at the outer edge of a disk with thickness, as a fraction of its radius.
         outer_taper: f64 = 0.45, Range::closed(0.0, 0.9), "";
+        /// Standard deviation of the logarithm of the density of a disk with thickness and structure.
+        lumps: f64 = 1.4, Range::closed(0.0, 2.0), "";
+        /// Where its matter is dense, the structure is bright at 0, dark at 1, and even at 0.5.
+        lanes: f64 = 0.0, Range::closed(0.0, 1.0), "";
         /// How the surface's brightness depends on the angle at which it is seen.
         limb: LimbDarkening = LimbDarkening::default();
         /// Whether light of the disk that gravity bends back to it heats it: by 1 % of its flux

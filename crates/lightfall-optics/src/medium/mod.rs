@@ -19,4 +19,4 @@ pub use nodes::Nodes;
 pub use source::{emission_scale, scattering_source};
 pub use spans::{Span, spans};
 pub use thick_disk::{Shape, ThickDisk};
-pub use transfer::{Passage, Place, Tolerance};
+pub use transfer::{Emission, Matter, Passage, Place, Tolerance};

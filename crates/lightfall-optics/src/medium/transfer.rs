@@ -3,9 +3,11 @@
 use super::nodes::Nodes;
 use super::spans::{Span, spans};
 use super::thick_disk::ThickDisk;
-use crate::reference::HoleAndDisk;
+use crate::delay::Lag;
+use crate::reference::{self, HoleAndDisk};
 use glam::DVec3;
-use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
+use lightfall_model::geometry::kerr::Kerr;
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonState};
 
 /// A place on the way of a ray inside a medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +20,54 @@ pub struct Place {
     pub g: f64,
     /// The source function over F/pi.
     pub source: f64,
+}
+
+/// What the matter does to light at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Matter {
+    /// Its density over that of the smooth disk.
+    pub density: f64,
+    /// The radiance of an opaque body in its place, as the camera sees it.
+    pub light: DVec3,
+}
+
+impl Matter {
+    /// Matter of a smooth disk.
+    pub fn smooth(light: DVec3) -> Self {
+        Self {
+            density: 1.0,
+            light,
+        }
+    }
+}
+
+/// Where and when light left a place. Both cost more than the place itself, and a smooth disk needs
+/// neither.
+pub struct Emission<'a> {
+    kerr: Kerr,
+    constants: &'a PhotonConstants,
+    lag: &'a Lag<'a>,
+    step: &'a reference::Step<'a>,
+    /// Mino time since the start of the step.
+    time: f64,
+}
+
+impl Emission<'_> {
+    /// Boyer-Lindquist azimuth, in radians, of any number of turns.
+    pub fn azimuth(&self) -> f64 {
+        let state = self.step.expansion.at(self.time);
+        let lead = if self.constants.ingoing {
+            self.kerr.ingoing_azimuth_lead(1.0 / state.u)
+        } else {
+            0.0
+        };
+        state.n.y.atan2(state.n.x) + state.chi - lead
+    }
+
+    /// Time from the emission to the arrival at the camera, in r_s/c: [`Lag`].
+    pub fn lag(&self) -> f64 {
+        self.lag.at(self.step, self.time)
+    }
 }
 
 /// What reaches the camera along a ray.
@@ -53,22 +103,22 @@ const MAX_HALVINGS: u32 = 16;
 struct Step<'a> {
     disk: &'a ThickDisk,
     constants: &'a PhotonConstants,
-    series: &'a PhotonSeries,
+    step: &'a reference::Step<'a>,
+    lag: &'a Lag<'a>,
     nodes: &'a Nodes,
-    light: &'a dyn Fn(&Place) -> DVec3,
+    matter: &'a dyn Fn(&Place, &Emission) -> Matter,
 }
 
 impl ThickDisk {
     /// Follows the backward ray with these constants from `start`, and returns the light that
-    /// reaches its start. `light` is the radiance of an opaque body in the place of the matter, as
-    /// the camera sees it.
+    /// reaches its start. `matter` says what the matter at a place does.
     pub fn passage(
         &self,
         constants: &PhotonConstants,
         start: PhotonState,
         nodes: &Nodes,
         tolerance: Tolerance,
-        light: impl Fn(&Place) -> DVec3,
+        matter: impl Fn(&Place, &Emission) -> Matter,
     ) -> Passage {
         let way = HoleAndDisk {
             kerr: self.kerr,
@@ -78,6 +128,7 @@ impl ThickDisk {
             light: DVec3::ZERO,
             depth: 0.0,
         };
+        let mut lag = Lag::new(self.kerr, constants, &start);
         way.follow_to_inner_edge(constants, start, |step| {
             if passage.depth > tolerance.end_depth {
                 return;
@@ -85,9 +136,10 @@ impl ThickDisk {
             let step_way = Step {
                 disk: self,
                 constants,
-                series: step.expansion,
+                step,
+                lag: &lag,
                 nodes,
-                light: &light,
+                matter: &matter,
             };
             for span in spans(self, step.expansion, step.length) {
                 let whole = step_way.chunk(span);
@@ -95,6 +147,7 @@ impl ThickDisk {
                 let piece = step_way.refined(span, whole, limit, MAX_HALVINGS);
                 passage = passage.followed_by(piece);
             }
+            lag.add(step);
         });
         passage
     }
@@ -119,9 +172,10 @@ impl Passage {
 }
 
 impl Step<'_> {
-    /// The place at a Mino time, and the optical depth for each unit of Mino time.
-    fn at(&self, t: f64) -> (Place, f64) {
-        let (r, cos_theta) = (self.series.u.at(t).0.recip(), self.series.n[2].at(t).0);
+    /// The light of opaque matter at a Mino time, and the optical depth for each unit of Mino time.
+    fn at(&self, t: f64) -> (DVec3, f64) {
+        let series = self.step.expansion;
+        let (r, cos_theta) = (series.u.at(t).0.recip(), series.n[2].at(t).0);
         let [omega, u_t] = self.disk.rotation(r, cos_theta);
         let constants = self.constants;
         let emitted = u_t * (constants.energy - omega * constants.angular_momentum);
@@ -131,24 +185,32 @@ impl Step<'_> {
             g: emitted.recip(),
             source: self.disk.source(r, cos_theta),
         };
+        let emission = Emission {
+            kerr: self.disk.kerr,
+            constants,
+            lag: self.lag,
+            step: self.step,
+            time: t,
+        };
+        let matter = (self.matter)(&place, &emission);
         let length = emitted * self.disk.kerr.sigma(r, cos_theta);
-        (place, self.disk.opacity(r, cos_theta) * length)
+        let rate = self.disk.opacity(r, cos_theta) * matter.density * length;
+        (place.source * matter.light, rate)
     }
 
     /// The light of a span, by the nodes.
     fn chunk(&self, [from, to]: Span) -> Passage {
         let length = to - from;
         let sample = |place: &f64| self.at(from + length * place);
-        let samples: Vec<(Place, f64)> = self.nodes.places.iter().map(sample).collect();
+        let samples: Vec<(DVec3, f64)> = self.nodes.places.iter().map(sample).collect();
         let depth_by = |weights: &[f64]| {
             let terms = weights.iter().zip(&samples);
             length * terms.map(|(weight, (_, rate))| weight * rate).sum::<f64>()
         };
         let mut light = DVec3::ZERO;
         let rows = self.nodes.partial.iter().zip(&self.nodes.weights);
-        for ((partial, weight), (place, rate)) in rows.zip(&samples) {
-            let seen = (-depth_by(partial)).exp() * weight * length * rate;
-            light += seen * place.source * (self.light)(place);
+        for ((partial, weight), (source, rate)) in rows.zip(&samples) {
+            light += (-depth_by(partial)).exp() * weight * length * rate * *source;
         }
         Passage {
             light,

@@ -5,7 +5,7 @@ use lightfall_model::geometry::kerr::{Kerr, MASS};
 use lightfall_model::random::Random;
 use std::f64::consts::{PI, TAU};
 
-/// A shearing wave with the phase m phi + k (x - centre) in the middle of its life.
+/// A shearing wave with the phase m phi + k (x - centre) + kappa n_z in the middle of its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
     /// Number of crests around the disk, at least one: a wave with none would change the mean flux
@@ -13,7 +13,14 @@ pub struct Wave {
     pub m: u32,
     /// Radians per unit of ln r, rounded to `f32`, so that the GPU has the same wave.
     pub k: f64,
+    /// Radians per unit of n_z, the cosine of the angle from the normal, rounded in the same way. A
+    /// disk without thickness is not affected.
+    pub kappa: f64,
 }
+
+/// The part of a wave vector along the normal, over that of an isotropic one: less, because layers
+/// would look like the decks of a ship.
+const VERTICAL_SHARE: f64 = 0.5;
 
 /// A ring and its waves.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +54,12 @@ impl Ring {
             let mut random = random(model.seed, ring, octave);
             let sizes = spread(&mut random, model.octave);
             let directions = spread(&mut random, model.octave);
-            let wave = |(size, direction): (f64, f64)| {
+            // Random numbers of their own, so that a disk with thickness has the waves of one without.
+            let heights = spread(
+                &mut self::random(model.seed, ring, HEIGHTS + octave),
+                model.octave,
+            );
+            let wave = |((size, direction), height): ((f64, f64), f64)| {
                 let q = wave_number(octave as f64 + size);
                 let (q_across, q_along) = (PI * direction).sin_cos();
                 // Finer filaments are longer for their width, as in magnetised turbulence: the
@@ -60,9 +72,11 @@ impl Ring {
                 Wave {
                     m: m.abs().round().max(1.0) as u32,
                     k: f64::from(k.copysign(k * m) as f32),
+                    kappa: f64::from((VERTICAL_SHARE * q * (2.0 * height - 1.0) / across) as f32),
                 }
             };
-            sizes.into_iter().zip(directions).map(wave).collect()
+            let planes = sizes.into_iter().zip(directions);
+            planes.zip(heights).map(wave).collect()
         });
         let mut random = random(model.seed, ring, OCTAVES);
         let orbit = TAU / angular_velocity(kerr, centre.exp());
@@ -108,6 +122,9 @@ fn angular_velocity(kerr: Kerr, r: f64) -> f64 {
     let y3 = (MASS / r).powf(1.5);
     y3 / (MASS * (1.0 + kerr.spin * y3))
 }
+
+/// The number of the first octave's random heights, after those of the octaves and the ring's own.
+const HEIGHTS: usize = 8;
 
 /// The random numbers of a seed for one octave of a ring.
 fn random(seed: u32, ring: usize, octave: usize) -> Random {

@@ -10,15 +10,17 @@
 //! With a period, the lives of each ring's waves divide it, and their phases repeat after it.
 
 mod draw;
+mod field;
 mod model;
 mod rings;
 
 pub use draw::{Ring, Wave};
+pub use field::{Covariance, Event, Field, Term};
 pub use model::{MAX_WAVES, Model, OCTAVES};
 pub use rings::{MAX_RINGS, Rings};
 
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::scene::Scene;
+use lightfall_model::scene::{Disk, Scene};
 
 /// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk:
 /// `MAX_DX` and `MAX_DPHI` in the shader.
@@ -53,5 +55,11 @@ impl Structure {
             places,
             rings,
         })
+    }
+
+    /// Standard deviations of the logarithms of the flux and of the density in a disk with thickness.
+    /// One field decides both: where it is large, matter is dense, and bright or, in lanes, dark.
+    pub fn spread(&self, disk: &Disk) -> [f64; 2] {
+        [self.model.contrast * (1.0 - 2.0 * disk.lanes), disk.lumps]
     }
 }
