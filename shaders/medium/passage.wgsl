@@ -46,6 +46,7 @@ struct Way {
     ingoing: bool,
     // Whether r does not turn within the step, next to the horizon.
     regular: bool,
+    neighbours: Neighbours,
 }
 
 // Places of a part at which the smooth density decides where chunks end.
@@ -180,13 +181,14 @@ fn ends_in_hole(ray: Ray) -> bool {
 fn passage(photon: Photon) -> Passage {
     var result = Passage(vec3<f32>(0.0), 1.0, empty_trace(), 0u);
     let orbit = kerr_ray(photon);
+    let h = step_of(orbit);
+    var ray = ray_at_camera(photon, orbit, h);
+    var neighbours = neighbours_of(photon, orbit, ray, h);
     if camera_is_inside() && orbit.constants.horizon_w <= 0.0 {
         // The light comes through the horizon's other branch, and nothing from outside does.
         result.ray.outcome = OUTCOME_CAPTURED;
         return result;
     }
-    let h = step_of(orbit);
-    var ray = ray_at_camera(photon, orbit, h);
     for (var i = 0u; i < MAX_STEPS; i++) {
         change_base(&ray, orbit.constants);
         if ends_in_hole(ray) {
@@ -205,7 +207,7 @@ fn passage(photon: Photon) -> Passage {
             ray.ingoing = false;
             ray.chi = add_angle(ray.chi, azimuth_lag_to_infinity(ray.motion, ray.y.x));
         }
-        let way = Way(curve(step), step, ray.motion, h, ray.chi, ray.delay, ray.ingoing, end.regular);
+        let way = Way(curve(step), step, ray.motion, h, ray.chi, ray.delay, ray.ingoing, end.regular, neighbours);
         add_step(&result, way, orbit, photon, end.share);
         if DELAY {
             ray.delay += step_delay(ray.motion, step, h);
@@ -221,6 +223,7 @@ fn passage(photon: Photon) -> Passage {
             result.ray = escaped;
             break;
         }
+        neighbours = carried(way);
         ray.y = end.y;
         ray.dy = step.dy1;
         ray.k = step.k1;

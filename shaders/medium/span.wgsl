@@ -5,7 +5,7 @@
 
 const EMPTY: vec2<f32> = vec2<f32>(1.0, 0.0);
 // Steps of the search for a boundary.
-const BOUNDARY_STEPS: u32 = 4u;
+const BOUNDARY_STEPS: u32 = 6u;
 
 // The share between two others at which a component of the curve, u or n_z, has a value: Newton's
 // method, with a bisection where a step leaves the bracket.

@@ -16,8 +16,11 @@ struct MatterPlace {
     // Omega of the circular orbit, and -dOmega/dln r (Bardeen, Press & Teukolsky 1972 eq. 2.16).
     omega: f32,
     shear: f32,
-    // The change of (ln r, phi - Omega t, n_z) along the part of the ray that the node stands for.
-    change: vec3<f32>,
+    // What the node stands for in (ln r, phi - Omega t, n_z): its part of the ray, and the way across it to
+    // the neighbours at the right and below.
+    along: vec3<f32>,
+    right: vec3<f32>,
+    below: vec3<f32>,
 }
 
 // Azimuth in turns, where the ray has the state y.
@@ -49,15 +52,26 @@ fn matter_place(way: Way, share: f32, part: f32, r: f32) -> MatterPlace {
     let slowing = (1.0 / (u * u) + a * a) * energies - way.motion.constants.drag + a * a * way.motion.constants.energy * y.y * y.y;
     let change = vec3<f32>(-slope.x / u, turning + omega * way.h * slowing, slope.y);
     let delay = way.delay + crossing_delay(way.motion, way.step, way.h, share, y.x);
-    let spread = select(vec3<f32>(0.0), part * change, MEDIUM_FILTERS);
-    return MatterPlace(log_precise(r), turns_at(way, share, y), y.y, delay, omega, 1.5 * omega / stretch, spread);
+    let tangent = vec3<f32>(change.x, turning, change.z);
+    let right = deviation_at(way.neighbours.right, share, y, u, tangent);
+    let below = deviation_at(way.neighbours.below, share, y, u, tangent);
+    // The filter's exponents are in powers of two, and a line of length one has the variance 1/12.
+    let scale = select(0.0, sqrt(0.5 * 1.442695 / 12.0), MEDIUM_FILTERS);
+    return MatterPlace(
+        log_precise(r),
+        turns_at(way, share, y),
+        y.y,
+        delay,
+        omega,
+        1.5 * omega / stretch,
+        (scale * part) * change,
+        scale * right,
+        scale * below,
+    );
 }
 
 // f, and the sums of the squares and of the fourth powers of the amplitudes.
-//
-// The filter's exponents are in powers of two, as in disk/structure/waves.wgsl.
 fn waves_at(at: MatterPlace) -> vec3<f32> {
-    let d = at.change * sqrt(0.5 * 1.442695 / 12.0);
     let place = clamp((at.x - structure.start) * structure.rings_per_ln_r, 0.0, structure.last_ring);
     let inner = floor(place);
     let share = clamp(2.0 * (place - inner) - 0.5, 0.0, 1.0);
@@ -90,8 +104,12 @@ fn waves_at(at: MatterPlace) -> vec3<f32> {
             let counted = count >= vec4<f32>(1.0);
             let age = count - select(vec4<f32>(0.5), vec4<f32>(1.5), counted);
             let window = cos_half_turns(age);
-            let along = d.x * (waves.k + waves.m * (sheared * age)) + d.y * waves.m + d.z * kappa;
-            let amplitude = amplitudes * (window * window) * exp2(-along * along);
+            let k = waves.k + waves.m * (sheared * age);
+            let along = at.along.x * k + at.along.y * waves.m + at.along.z * kappa;
+            let right = at.right.x * k + at.right.y * waves.m + at.right.z * kappa;
+            let below = at.below.x * k + at.below.y * waves.m + at.below.z * kappa;
+            let filtered = along * along + right * right + below * below;
+            let amplitude = amplitudes * (window * window) * exp2(-filtered);
             let places = phase_places + group * GROUP_STRIDE + select(vec4<u32>(0u), to_next_life, counted);
             let phase = waves.m * (at.turns - swept * age) + waves.k * offset + kappa * height + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));

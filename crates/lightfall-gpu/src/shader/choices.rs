@@ -86,14 +86,13 @@ impl Variant {
         } else {
             "stars/dim.wgsl"
         };
-        let in_matter = if self.structure {
-            "medium/structure/waves.wgsl"
+        let in_matter: &[&str] = if self.structure {
+            &["medium/structure/differential.wgsl", "medium/structure/waves.wgsl"]
         } else {
-            "medium/structure/none.wgsl"
+            &["medium/structure/none.wgsl"]
         };
         let own = [
             dim,
-            in_matter,
             "disk.wgsl",
             "disk/cover.wgsl",
             "disk/emission.wgsl",
@@ -104,7 +103,8 @@ impl Variant {
             file("disk/limb", self.limb.word()),
             file("medium/source", self.limb.word()),
         ];
-        let own = own.iter().chain(structure).copied().map(str::to_owned);
+        let own = own.iter().chain(structure).chain(in_matter);
+        let own = own.copied().map(str::to_owned);
         own.chain(named).collect()
     }
 
