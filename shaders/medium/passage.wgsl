@@ -53,8 +53,9 @@ struct Way {
 const DENSITIES: u32 = 9u;
 // More chunks than a part has before nothing comes through it.
 const MAX_CHUNKS: u32 = 16u;
-// A chunk with more depth than this is summed in order: the polynomial would overshoot.
-const MAX_SMOOTH_DEPTH: f32 = 4.0;
+// A chunk with more depth than the second number is summed in order, because the polynomial would
+// overshoot; between the two numbers both ways count, so that no edge shows where they differ.
+const SMOOTH_DEPTHS: vec2<f32> = vec2<f32>(4.0, 8.0);
 
 fn places_at(way: Way, orbit: KerrRay, share: vec4<f32>) -> Places {
     let path = way.path;
@@ -66,13 +67,6 @@ fn places_at(way: Way, orbit: KerrRay, share: vec4<f32>) -> Places {
     let slowing = turning.u_t * max(orbit.constants.energy - turning.omega * orbit.angular_momentum, vec4<f32>(1e-6));
     let sigma = r * r + square(scene.hole.a) * n_z * n_z;
     return Places(r, n_z, opening, slowing, way.h * sigma * slowing * opacity(r, n_z, opening));
-}
-
-// The radiance of an opaque body at one of four places, as the camera sees it. The flux F in the
-// matter's frame has the temperature T_scale F^(1/4). `factor` is that of the structure.
-fn body_light(r: f32, g: f32, factor: f32) -> vec3<f32> {
-    let flux = disk_flux(r) * factor;
-    return thermal_colour(scene.disk.temperature * sqrt(sqrt(flux)) * g) * (flux * beaming_factor(g));
 }
 
 // Adds a chunk between two shares of a step.
@@ -95,7 +89,7 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
     if depth <= 0.0 {
         return;
     }
-    let smooth_density = depth <= MAX_SMOOTH_DEPTH;
+    let in_order = smoothstep(SMOOTH_DEPTHS.x, SMOOTH_DEPTHS.y, depth);
     var passed = 0.0;
     for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
         let at = places[i];
@@ -103,21 +97,16 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
         // The depth in front of each node, and how much of the node's light passes.
         let before = passed + vec4<f32>(0.0, own.x, own.x + own.y, own.x + own.y + own.z);
         var share = exp(-before) * (1.0 - exp(-own));
-        if smooth_density {
+        if in_order < 1.0 {
             var to_node = vec4<f32>(0.0);
             for (var j = 0u; j < MEDIUM_BLOCKS; j++) {
                 to_node += partial[i * MEDIUM_BLOCKS + j] * places[j].rate;
             }
-            share = own * exp(-width * to_node);
+            share = mix(own * exp(-max(width * to_node, vec4<f32>(0.0))), share, in_order);
         }
         passed += dot(own, vec4<f32>(1.0));
-        let source = share * source_function(at.r, at.n_z, at.opening);
-        let g = medium_shift(photon, at.r, at.n_z, orbit.scale / at.slowing);
-        var light = source.x * body_light(at.r.x, g.x, flux_factors[i].x);
-        light += source.y * body_light(at.r.y, g.y, flux_factors[i].y);
-        light += source.z * body_light(at.r.z, g.z, flux_factors[i].z);
-        light += source.w * body_light(at.r.w, g.w, flux_factors[i].w);
-        (*result).light += ((*result).transmission * scene.disk.brightness) * light;
+        let light = emission(photon, at, share, flux_factors[i], orbit.scale / at.slowing);
+        (*result).light += (*result).transmission * light;
     }
     (*result).transmission *= exp(-depth);
     (*result).samples += MEDIUM_NODES;

@@ -4,8 +4,6 @@
 // Gives: span_in_medium.
 
 const EMPTY: vec2<f32> = vec2<f32>(1.0, 0.0);
-// Steps of the search for a boundary.
-const BOUNDARY_STEPS: u32 = 6u;
 
 // The share between two others at which a component of the curve, u or n_z, has a value: Newton's
 // method, with a bisection where a step leaves the bracket.
@@ -15,7 +13,7 @@ fn share_of_value(path: Curve, component: vec4<f32>, value: f32, ends: vec2<f32>
     let start = dot(component, curve_at(path, low)) - value;
     let end = dot(component, curve_at(path, high)) - value;
     var share = mix(low, high, clamp(start / select(start - end, TINY, start == end), 0.0, 1.0));
-    for (var i = 0u; i < BOUNDARY_STEPS; i++) {
+    for (var i = 0u; i < MEDIUM_SEARCHES; i++) {
         let off = dot(component, curve_at(path, share)) - value;
         let before = (off > 0.0) == (start > 0.0);
         low = select(low, share, before);
@@ -56,13 +54,19 @@ fn turning_share(path: Curve, span: vec2<f32>) -> f32 {
     if inward == (curve_slope(path, high).x > 0.0) {
         return high;
     }
-    for (var i = 0u; i < 3u * BOUNDARY_STEPS; i++) {
-        let middle = 0.5 * (low + high);
-        let before = (curve_slope(path, middle).x > 0.0) == inward;
+    // The slope is almost linear within a step.
+    var slopes = vec2<f32>(curve_slope(path, low).x, curve_slope(path, high).x);
+    var middle = low;
+    for (var i = 0u; i < MEDIUM_SEARCHES; i++) {
+        let fall = slopes.x - slopes.y;
+        middle = mix(low, high, clamp(slopes.x / select(fall, TINY, fall == 0.0), 0.0, 1.0));
+        let slope = curve_slope(path, middle).x;
+        let before = (slope > 0.0) == inward;
         low = select(low, middle, before);
         high = select(middle, high, before);
+        slopes = select(vec2<f32>(slopes.x, slope), vec2<f32>(slope, slopes.y), before);
     }
-    return 0.5 * (low + high);
+    return middle;
 }
 
 // The part of a span between the disk's edges. Where r turns inside the inner edge, the part between
@@ -95,7 +99,7 @@ fn span_in_annulus(path: Curve, base: f32, span: vec2<f32>) -> vec2<f32> {
 fn depth_inside(path: Curve, base: f32, share: f32) -> f32 {
     let y = curve_at(path, share);
     let opening = half_opening(vec4<f32>(1.0 / max(base + y.x, TINY))).x;
-    return opening * opening - y.y * y.y;
+    return opening - abs(y.y);
 }
 
 // Where the medium ends between a place inside and one that may be outside, by the method of
@@ -107,7 +111,7 @@ fn boundary(path: Curve, base: f32, within: f32, beyond: f32) -> f32 {
         return beyond;
     }
     var last = 0;
-    for (var i = 0u; i < BOUNDARY_STEPS; i++) {
+    for (var i = 0u; i < MEDIUM_SEARCHES; i++) {
         let share = (inside.x * outside.y - outside.x * inside.y) / min(outside.y - inside.y, -TINY);
         let place = vec2<f32>(share, depth_inside(path, base, share));
         if place.y > 0.0 {
@@ -120,7 +124,7 @@ fn boundary(path: Curve, base: f32, within: f32, beyond: f32) -> f32 {
             last = -1;
         }
     }
-    return outside.x;
+    return (inside.x * outside.y - outside.x * inside.y) / min(outside.y - inside.y, -TINY);
 }
 
 // The place of a span that is deepest inside, about, by three places and two parabolas.

@@ -23,7 +23,7 @@ struct ThickDisk {
     density_spread: f32,
 }
 
-@group(0) @binding(BINDING_THICK_DISK) var<uniform> thick_disk: ThickDisk;
+@group(0) @binding(BINDING_THICK_DISK) var<storage, read> thick_disk: ThickDisk;
 
 // The share of the height that remains at the edges.
 const EDGE_HEIGHT: f32 = 0.3;
@@ -45,7 +45,10 @@ fn max_half_opening() -> f32 {
 fn half_opening(r: vec4<f32>) -> vec4<f32> {
     let x = clamp(scene.disk.inner / max(r, vec4<f32>(TINY)), vec4<f32>(0.0), vec4<f32>(1.0));
     let height = EDGE_HEIGHT + (1.0 - EDGE_HEIGHT) * (1.0 - x * sqrt(x)) * outer_cover(r);
-    let flare = exp2(thick_disk.flare * log2(max(r * thick_disk.inverse_pivot, vec4<f32>(TINY))));
+    var flare = vec4<f32>(1.0);
+    if thick_disk.flare != 0.0 {
+        flare = exp2(thick_disk.flare * log2(max(r * thick_disk.inverse_pivot, vec4<f32>(TINY))));
+    }
     let between = r > vec4<f32>(scene.disk.inner) & r < vec4<f32>(scene.disk.outer);
     return select(vec4<f32>(0.0), thick_disk.half_opening * height * flare, between);
 }

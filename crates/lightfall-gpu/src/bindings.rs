@@ -120,8 +120,8 @@ bindings! {
     CANDIDATE_COUNT: STORAGE;
     /// The wave numbers along the normal of the structure of a disk with thickness, a uniform.
     WAVE_HEIGHTS: UNIFORM, picture;
-    /// The uniform `ThickDisk`. It comes after the tables, and no condition reads it.
-    THICK_DISK: UNIFORM, picture;
+    /// The numbers `ThickDisk`, in storage: as a uniform they would come after the seventh place.
+    THICK_DISK: STORAGE, picture;
 }
 
 // Shaders with bindings of their own.

@@ -52,7 +52,12 @@ impl ArrayKernel {
             let uniforms = uniforms.iter().map(|(binding, bytes)| {
                 (
                     *binding,
-                    buffer_from_bytes(gpu, "uniform", bytes, BufferUsages::UNIFORM),
+                    buffer_from_bytes(
+                        gpu,
+                        "uniform",
+                        bytes,
+                        BufferUsages::UNIFORM | BufferUsages::STORAGE,
+                    ),
                 )
             });
             Self {

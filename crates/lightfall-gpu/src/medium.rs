@@ -1,4 +1,4 @@
-//! The numbers of matter with depth: the uniform of a disk with thickness, and the nodes at which
+//! The numbers of matter with depth: those of a disk with thickness, and the nodes at which
 //! light is asked for.
 
 use super::shader::text::{add_constant, add_f32, add_u32};
@@ -71,6 +71,17 @@ fn end_depth(nodes: u32) -> f64 {
     }
 }
 
+/// Steps of the search for a boundary. Where a disk is opaque, most of its light comes from places next
+/// to its boundary.
+fn searches(nodes: u32) -> u32 {
+    match nodes {
+        3 => 3,
+        4 => 4,
+        8 => 6,
+        _ => 8,
+    }
+}
+
 /// Appends the nodes to a prelude, four in a vector, of which the last may be empty.
 pub(super) fn add_constants(prelude: &mut String, count: u32) {
     let nodes = Nodes::new(count as usize);
@@ -100,6 +111,7 @@ pub(super) fn add_constants(prelude: &mut String, count: u32) {
         .collect();
     add_u32(prelude, "MEDIUM_NODES", count);
     add_u32(prelude, "MEDIUM_BLOCKS", blocks);
+    add_u32(prelude, "MEDIUM_SEARCHES", searches(count));
     add_f32(prelude, "MIN_TRANSMISSION", (-end_depth(count)).exp());
     let kind = |of: &str, length: u32| format!("array<{of}, {length}>");
     let list = kind("vec4<f32>", blocks);

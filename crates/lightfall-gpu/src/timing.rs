@@ -118,8 +118,14 @@ impl Stopwatch {
         let tables = Inputs::new(scene).declared_in(&source);
         let module = gpu.shader("timed", &source)?;
         gpu.validated(|| {
-            let uniform_of =
-                |label, bytes: &[u8]| buffer_from_bytes(gpu, label, bytes, BufferUsages::UNIFORM);
+            let uniform_of = |label, bytes: &[u8]| {
+                buffer_from_bytes(
+                    gpu,
+                    label,
+                    bytes,
+                    BufferUsages::UNIFORM | BufferUsages::STORAGE,
+                )
+            };
             let numbers = uniform_of("scene", &uniform(&numbers));
             let tables = tables.iter();
             let mut buffers: Vec<(u32, Buffer)> = tables

@@ -10,6 +10,7 @@ mod queue;
 mod shader;
 mod side;
 
+pub(crate) use inputs::InputBuffers;
 pub(super) use pass::GeodesicPass;
 pub(crate) use shader::GeodesicShaders;
 pub(super) use shader::{JoinedShaders, select_geodesic_shaders};

@@ -2,6 +2,7 @@
 
 use super::link::Choice;
 use super::{Entry, Tracer, Variant};
+use crate::stars::StarKernel;
 use lightfall_model::scene::{HotSpotKind, Projection, SkyMode, View};
 
 impl Variant {
@@ -87,12 +88,21 @@ impl Variant {
             "stars/dim.wgsl"
         };
         let in_matter: &[&str] = if self.structure {
-            &["medium/structure/differential.wgsl", "medium/structure/waves.wgsl"]
+            &[
+                "medium/structure/differential.wgsl",
+                "medium/structure/waves.wgsl",
+            ]
         } else {
             &["medium/structure/none.wgsl"]
         };
+        let emission = if self.entry == Entry::Star(StarKernel::Dim) {
+            "medium/emission/none.wgsl"
+        } else {
+            "medium/emission/thermal.wgsl"
+        };
         let own = [
             dim,
+            emission,
             "disk.wgsl",
             "disk/cover.wgsl",
             "disk/emission.wgsl",

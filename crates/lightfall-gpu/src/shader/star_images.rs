@@ -2,7 +2,7 @@
 
 use super::{Entry, Tracer, Variant};
 use crate::stars::StarKernel;
-use lightfall_model::scene::{Method, Scene};
+use lightfall_model::scene::{Method, Scene, View};
 
 impl Variant {
     /// The shader of a kernel of stars, unless it is the same for all scenes.
@@ -19,10 +19,21 @@ impl Variant {
             ..through_disk
         };
         match kernel {
-            StarKernel::Dim => Some(Self {
-                medium_nodes: Self::picture(scene).medium_nodes,
-                ..through_disk
-            }),
+            StarKernel::Dim if scene.has_medium() => {
+                let picture = Self::picture(&Scene {
+                    view: View::Colour,
+                    ..scene.clone()
+                });
+                Some(Self {
+                    medium_nodes: picture.medium_nodes,
+                    structure: picture.structure,
+                    repeats: picture.repeats,
+                    delay_nodes: picture.delay_nodes,
+                    throat: picture.throat,
+                    ..through_disk
+                })
+            }
+            StarKernel::Dim => Some(through_disk),
             StarKernel::TraceMesh | StarKernel::Interpolate | StarKernel::RefineImage => {
                 Some(to_sky)
             }

@@ -5,7 +5,8 @@ use super::mesh::{TEST_GROUPS, WIDE_GROUPS};
 use super::shader::{candidate_shader, splat_shader};
 use crate::bindings::{
     ALL, CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES,
-    STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
+    STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, STRUCTURE, THICK_DISK,
+    WAVE_HEIGHTS, WORKGROUP_SIZE,
 };
 use crate::shader::{ShaderText, Variant};
 use lightfall_model::scene::Scene;
@@ -82,7 +83,8 @@ impl StarKernel {
         }
     }
 
-    /// The bindings that it reads. Without lensing [`Self::Solve`] has no `STAR_TABLE`.
+    /// The bindings that it reads. Without lensing [`Self::Solve`] has no `STAR_TABLE`, and only matter
+    /// with depth gives [`Self::Dim`] its tables.
     pub fn reads(self) -> &'static [u32] {
         match self {
             Self::Solve => &[SCENE, SPECTRUM, STARS, STAR_TABLE, STAR_LIST],
@@ -101,7 +103,14 @@ impl StarKernel {
                 CANDIDATES,
                 CANDIDATE_COUNT,
             ],
-            Self::Dim => &[SCENE, STARS, STAR_COUNT],
+            Self::Dim => &[
+                SCENE,
+                STARS,
+                STRUCTURE,
+                WAVE_HEIGHTS,
+                THICK_DISK,
+                STAR_COUNT,
+            ],
             Self::Splat => &[SCENE, SPECTRUM, STARS, STAR_IMAGES, STAR_COUNT],
         }
     }

@@ -47,6 +47,7 @@ impl Scene {
                 inner: self.disk.inner,
                 follow_isco: self.disk.follow_isco,
                 outer: self.disk.outer,
+                thickness: self.disk.thickness,
                 tilt_deg: self.disk.tilt_deg,
                 node_deg: self.disk.node_deg,
                 ..default.disk
@@ -67,8 +68,15 @@ impl Scene {
     pub fn for_stars(&self) -> Self {
         let mut needed = self.without_shading();
         needed.sky = self.sky;
-        needed.disk.edge_taper = self.disk.edge_taper;
-        needed.disk.transmission = self.disk.transmission;
+        if self.has_medium() {
+            needed.disk = self.disk;
+            if !self.disk_moves() {
+                needed.disk.time = Self::default().disk.time;
+            }
+        } else {
+            needed.disk.edge_taper = self.disk.edge_taper;
+            needed.disk.transmission = self.disk.transmission;
+        }
         needed.picture.exposure_ev = self.stepped_exposure();
         needed
     }

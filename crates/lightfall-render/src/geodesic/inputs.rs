@@ -6,7 +6,7 @@ use bevy::render::renderer::{RenderDevice, RenderQueue};
 
 /// The uniforms that scenes have needed so far, by their bindings.
 #[derive(Default)]
-pub(super) struct InputBuffers(HashMap<u32, Input>);
+pub(crate) struct InputBuffers(HashMap<u32, Input>);
 
 struct Input {
     buffer: Buffer,
@@ -33,7 +33,9 @@ impl InputBuffers {
                     let buffer = device.create_buffer_with_data(&BufferInitDescriptor {
                         label: Some("input of a scene"),
                         contents: &contents,
-                        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+                        usage: BufferUsages::UNIFORM
+                            | BufferUsages::STORAGE
+                            | BufferUsages::COPY_DST,
                     });
                     self.0.insert(binding, Input { buffer, contents });
                 }
@@ -43,7 +45,7 @@ impl InputBuffers {
     }
 
     /// The buffer of a binding, if a scene has needed it.
-    pub(super) fn buffer(&self, binding: u32) -> Option<&Buffer> {
+    pub(crate) fn buffer(&self, binding: u32) -> Option<&Buffer> {
         self.0.get(&binding).map(|input| &input.buffer)
     }
 }

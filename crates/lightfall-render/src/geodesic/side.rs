@@ -10,7 +10,7 @@ use bevy::math::UVec2;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
-    self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, SPECTRUM, STAR_SUMS, STARLIGHT,
+    self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, STAR_SUMS, STARLIGHT,
 };
 use lightfall_core::gpu::{
     Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
@@ -104,7 +104,7 @@ impl Side {
         let new_inputs = self.inputs.write(inputs.of_picture(), device, queue);
         self.pipelines = Some(pipelines);
         self.max_pixels_of_call = max_pixels_of_call(scene);
-        let new_stars = self.write_stars(scene, pipelines, writer);
+        let new_stars = self.write_stars(scene, pipelines, new_inputs, writer);
         if new_inputs || new_stars || self.bind_group.is_none() {
             self.bind_group = self.bind(writer);
         }
@@ -115,12 +115,13 @@ impl Side {
         &mut self,
         scene: &Drawable,
         pipelines: SidePipelines,
+        new_inputs: bool,
         writer: &mut SideWriter,
     ) -> bool {
         let shows_stars = scene.sky.mode == SkyMode::Stars && scene.view.shows_light();
-        let (true, Some(spectrum)) = (shows_stars, self.inputs.buffer(SPECTRUM)) else {
+        if !shows_stars {
             return self.stars.take().is_some();
-        };
+        }
         let SideWriter {
             shared,
             lists,
@@ -145,7 +146,9 @@ impl Side {
                 lists,
                 catalogue,
                 limits: *limits,
-                spectrum,
+                inputs: &self.inputs,
+                no_input: &shared.no_input,
+                new_inputs,
                 graphics,
             },
         );
@@ -169,11 +172,10 @@ impl Side {
                 MILKY_WAY => milky_way.unwrap_or(&shared.no_milky_way).into_binding(),
                 MILKY_WAY_SAMPLER => shared.sampler.into_binding(),
                 STAR_SUMS => sums.as_entire_binding(),
-                input => self
-                    .inputs
-                    .buffer(input)
-                    .unwrap_or(no_input)
-                    .as_entire_binding(),
+                input => {
+                    let buffer = self.inputs.buffer(input).unwrap_or(no_input);
+                    buffer.as_entire_binding()
+                }
             };
             let binding = row.number;
             Some(BindGroupEntry { binding, resource })

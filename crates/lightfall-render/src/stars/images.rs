@@ -3,13 +3,14 @@
 use super::kernels::{StarPipelines, layout};
 use super::list::{GpuStarList, StarLists};
 use crate::detail_limits::DetailLimits;
+use crate::geodesic::InputBuffers;
 use crate::graphics::{Graphics, create_buffer};
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
     CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES, STAR_INDEX,
-    STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS,
+    STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, STRUCTURE, THICK_DISK, WAVE_HEIGHTS,
 };
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::stars::{
@@ -85,7 +86,11 @@ pub(crate) struct StarWriter<'a> {
     pub(crate) lists: &'a mut StarLists,
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) limits: DetailLimits,
-    pub(crate) spectrum: &'a Buffer,
+    /// The uniforms of the scene, the one in place of those that it has no use for, and whether any
+    /// of them is new.
+    pub(crate) inputs: &'a InputBuffers,
+    pub(crate) no_input: &'a Buffer,
+    pub(crate) new_inputs: bool,
     pub(crate) graphics: &'a Graphics<'a>,
 }
 
@@ -101,6 +106,9 @@ impl SceneStars {
     ) -> bool {
         let Graphics { device, queue, .. } = writer.graphics;
         self.pipelines = pipelines;
+        if writer.new_inputs {
+            (self.written, self.drawn) = (None, None);
+        }
         let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
         let wanted = (scene.for_stars(), writer.limits, reloads);
         if self.written.as_ref() == Some(&wanted) {
@@ -204,7 +212,10 @@ impl SceneStars {
                 .map(|binding| {
                     let resource = match *binding {
                         SCENE => numbers.binding()?,
-                        SPECTRUM => writer.spectrum.as_entire_binding(),
+                        SPECTRUM | STRUCTURE | WAVE_HEIGHTS | THICK_DISK => {
+                            let buffer = writer.inputs.buffer(*binding);
+                            buffer.unwrap_or(writer.no_input).as_entire_binding()
+                        }
                         STARS => self.numbers.binding()?,
                         STAR_TABLE => self.table.as_entire_binding(),
                         STAR_MESH => drawn.mesh.and(self.mesh.binding())?,
