@@ -76,14 +76,13 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
     var partial = MEDIUM_PARTIAL;
     let width = ends.y - ends.x;
     var places: array<Places, MEDIUM_BLOCKS>;
-    var flux_factors: array<vec4<f32>, MEDIUM_BLOCKS>;
+    for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
+        places[i] = places_at(way, orbit, ends.x + width * node_places[i]);
+    }
+    var factors = matter_factors(way, ends, places);
     var depth = 0.0;
     for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
-        let shares = ends.x + width * node_places[i];
-        places[i] = places_at(way, orbit, shares);
-        let factors = matter_factors(way, shares, width * node_weights[i], places[i]);
-        places[i].rate *= factors.density;
-        flux_factors[i] = factors.flux;
+        places[i].rate *= factors[i].density;
         depth += width * dot(node_weights[i], places[i].rate);
     }
     if depth <= 0.0 {
@@ -105,7 +104,7 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
             share = mix(own * exp(-max(width * to_node, vec4<f32>(0.0))), share, in_order);
         }
         passed += dot(own, vec4<f32>(1.0));
-        let light = emission(photon, at, share, flux_factors[i], orbit.scale / at.slowing);
+        let light = emission(photon, at, share, factors[i].flux, orbit.scale / at.slowing);
         (*result).light += (*result).transmission * light;
     }
     (*result).transmission *= exp(-depth);
@@ -119,43 +118,39 @@ fn add_step(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Ph
     if width <= 1e-7 {
         return;
     }
-    // The chunk that has not ended: where it begins, and the depth at which it ends; and the density
-    // at the last place with the depth up to it.
+    // Where the chunk begins, and the depth at which it ends; and the density at the last place, with the
+    // depth up to it.
     var start = span.x;
     var limit = 1.0;
-    var chunk = 0u;
     var place = 1u;
     var density = places_at(way, orbit, vec4<f32>(span.x)).rate.x * width;
-    var next_density = places_at(way, orbit, vec4<f32>(span.x + width)).rate.x * width;
     var depth = 0.0;
-    for (var i = 0u; i < MAX_CHUNKS + DENSITIES; i++) {
-        let next_depth = depth + 0.5 * (density + next_density);
-        let last = place + 1u >= DENSITIES;
-        let ends_here = next_depth > limit && chunk < MAX_CHUNKS;
-        if ends_here || last {
-            var stop = span.y;
-            if ends_here {
+    for (var chunk = 0u; chunk <= MAX_CHUNKS; chunk++) {
+        // Neighbouring rays find the ends of their chunks first, and then add the chunks together.
+        var stop = span.y;
+        for (var i = place; i < DENSITIES; i++) {
+            let next_density = places_at(way, orbit, vec4<f32>(span.x + width * f32(i))).rate.x * width;
+            let next_depth = depth + 0.5 * (density + next_density);
+            if next_depth > limit && chunk < MAX_CHUNKS {
                 // Where the depth of a linear density is the limit.
                 let missing = limit - depth;
                 let root = sqrt(max(density * density + 2.0 * (next_density - density) * missing, 0.0));
                 let share = clamp(2.0 * missing / max(density + root, TINY), 0.0, 1.0);
-                stop = min(span.x + width * (f32(place) - 1.0 + share), span.y);
+                stop = min(span.x + width * (f32(i) - 1.0 + share), span.y);
+                break;
             }
-            if stop > start {
-                add_chunk(result, way, orbit, photon, vec2<f32>(start, stop));
-            }
-            start = stop;
-            limit += select(4.0, 2.0, chunk == 0u);
-            chunk += 1u;
-            if (*result).transmission < MIN_TRANSMISSION || !ends_here {
-                return;
-            }
-        } else {
             depth = next_depth;
             density = next_density;
-            place += 1u;
-            next_density = places_at(way, orbit, vec4<f32>(span.x + width * f32(place))).rate.x * width;
+            place = i + 1u;
         }
+        if stop > start {
+            add_chunk(result, way, orbit, photon, vec2<f32>(start, stop));
+        }
+        if (*result).transmission < MIN_TRANSMISSION || place >= DENSITIES {
+            return;
+        }
+        start = stop;
+        limit += select(4.0, 2.0, chunk == 0u);
     }
 }
 

@@ -16,11 +16,10 @@ struct MatterPlace {
     // Omega of the circular orbit, and -dOmega/dln r (Bardeen, Press & Teukolsky 1972 eq. 2.16).
     omega: f32,
     shear: f32,
-    // What the node stands for in (ln r, phi - Omega t, n_z): its part of the ray, and the way across it to
-    // the neighbours at the right and below.
-    along: vec3<f32>,
-    right: vec3<f32>,
-    below: vec3<f32>,
+    // The footprint's covariance in (ln r, phi - Omega t, n_z), in units in which the filter's exponent is
+    // q.P.q in powers of two: its diagonal, and twice the other components (12, 13, 23).
+    spread: vec3<f32>,
+    mixed: vec3<f32>,
 }
 
 // Azimuth in turns, where the ray has the state y.
@@ -35,38 +34,61 @@ fn turns_at(way: Way, share: f32, y: vec4<f32>) -> f32 {
     return (atan2_precise(y.w, y.z) + wrap_angle(angle)) * (0.5 / PI);
 }
 
-// A place on the way, of which a node stands for this `part` of the step.
-fn matter_place(way: Way, share: f32, part: f32, r: f32) -> MatterPlace {
-    let y = curve_at(way.path, share);
-    let slope = curve_slope(way.path, share);
+// The rates of azimuth and delay for each unit of the step's share, at four nodes: the azimuth's own, with
+// chi' = a (E - W/D), and delay.wgsl's plain form.
+struct Rates {
+    turning: vec4<f32>,
+    slowing: vec4<f32>,
+    // The slopes of u and n_z.
+    inward: vec4<f32>,
+    upward: vec4<f32>,
+}
+
+fn rates_at_nodes(way: Way, shares: vec4<f32>, at: Places) -> Rates {
+    let c = way.path;
+    let m = way.motion;
     let a = scene.hole.a;
-    let u = max(way.motion.base + y.x, TINY);
+    let v = 1.0 / at.r - m.base;
+    let energies = (m.w.x + v * (m.w.y + v * m.w.z)) / max(m.d.x + v * (m.d.y + v * m.d.z), vec4<f32>(TINY));
+    let x = c.c0.z + shares * (c.c1.z + shares * (c.c2.z + shares * (c.c3.z + shares * (c.c4.z + shares * c.c5.z))));
+    let y = c.c0.w + shares * (c.c1.w + shares * (c.c2.w + shares * (c.c3.w + shares * (c.c4.w + shares * c.c5.w))));
+    let c2 = 2.0 * c.c2;
+    let c3 = 3.0 * c.c3;
+    let c4 = 4.0 * c.c4;
+    let c5 = 5.0 * c.c5;
+    let dx = c.c1.z + shares * (c2.z + shares * (c3.z + shares * (c4.z + shares * c5.z)));
+    let dy = c.c1.w + shares * (c2.w + shares * (c3.w + shares * (c4.w + shares * c5.w)));
+    let inward = c.c1.x + shares * (c2.x + shares * (c3.x + shares * (c4.x + shares * c5.x)));
+    let upward = c.c1.y + shares * (c2.y + shares * (c3.y + shares * (c4.y + shares * c5.y)));
+    let swept = (x * dy - y * dx) / max(x * x + y * y, vec4<f32>(TINY));
+    let turning = swept + (a * way.h) * (m.constants.energy - energies);
+    let twist = a * a * m.constants.energy * at.n_z * at.n_z - m.constants.drag;
+    return Rates(turning, way.h * ((at.r * at.r + a * a) * energies + twist), inward, upward);
+}
+
+// A node of which a `part` of the step belongs to it. `turns` and `delay` are those of the node.
+fn matter_place(way: Way, share: f32, part: f32, r: f32, n_z: f32, turns: f32, delay: f32, rates: vec4<f32>) -> MatterPlace {
+    let a = scene.hole.a;
     let y2 = MASS * inverseSqrt(r * r);
     let y3 = y2 * sqrt(y2);
     let stretch = 1.0 + a / MASS * y3;
     let omega = y3 / (MASS * stretch);
-    // The rates of azimuth and delay: chi' = a (E - W/D), and delay.wgsl's plain form.
-    let energies = quadratic(way.motion.w, y.x) / max(quadratic(way.motion.d, y.x), TINY);
-    let swept = (y.z * slope.w - y.w * slope.z) / max(dot(y.zw, y.zw), TINY);
-    let turning = swept + a * way.h * (way.motion.constants.energy - energies);
-    let slowing = (1.0 / (u * u) + a * a) * energies - way.motion.constants.drag + a * a * way.motion.constants.energy * y.y * y.y;
-    let change = vec3<f32>(-slope.x / u, turning + omega * way.h * slowing, slope.y);
-    let delay = way.delay + crossing_delay(way.motion, way.step, way.h, share, y.x);
-    let tangent = vec3<f32>(change.x, turning, change.z);
-    let right = deviation_at(way.neighbours.right, share, y, u, tangent);
-    let below = deviation_at(way.neighbours.below, share, y, u, tangent);
-    // The filter's exponents are in powers of two, and a line of length one has the variance 1/12.
+    // A line of length one has the variance 1/12.
     let scale = select(0.0, sqrt(0.5 * 1.442695 / 12.0), MEDIUM_FILTERS);
+    let tangent = vec3<f32>(-rates.z * r, rates.x, rates.w);
+    let along = (scale * part) * vec3<f32>(tangent.x, rates.x + omega * rates.y, tangent.z);
+    let y = curve_at(way.path, share);
+    let right = scale * deviation_at(way.neighbours.right, share, y, 1.0 / r, tangent);
+    let below = scale * deviation_at(way.neighbours.below, share, y, 1.0 / r, tangent);
     return MatterPlace(
-        log_precise(r),
-        turns_at(way, share, y),
-        y.y,
+        log(r),
+        turns,
+        n_z,
         delay,
         omega,
         1.5 * omega / stretch,
-        (scale * part) * change,
-        scale * right,
-        scale * below,
+        along * along + right * right + below * below,
+        2.0 * (along.xxy * along.yzz + right.xxy * right.yzz + below.xxy * below.yzz),
     );
 }
 
@@ -105,10 +127,8 @@ fn waves_at(at: MatterPlace) -> vec3<f32> {
             let age = count - select(vec4<f32>(0.5), vec4<f32>(1.5), counted);
             let window = cos_half_turns(age);
             let k = waves.k + waves.m * (sheared * age);
-            let along = at.along.x * k + at.along.y * waves.m + at.along.z * kappa;
-            let right = at.right.x * k + at.right.y * waves.m + at.right.z * kappa;
-            let below = at.below.x * k + at.below.y * waves.m + at.below.z * kappa;
-            let filtered = along * along + right * right + below * below;
+            let filtered = k * (at.spread.x * k + at.mixed.x * waves.m + at.mixed.y * kappa)
+                + waves.m * (at.spread.y * waves.m + at.mixed.z * kappa) + at.spread.z * kappa * kappa;
             let amplitude = amplitudes * (window * window) * exp2(-filtered);
             let places = phase_places + group * GROUP_STRIDE + select(vec4<u32>(0u), to_next_life, counted);
             let phase = waves.m * (at.turns - swept * age) + waves.k * offset + kappa * height + phases_at(places);
@@ -127,11 +147,40 @@ fn factors_of(sums: vec3<f32>) -> vec2<f32> {
     return exp(sigma * sums.x - 0.25 * sigma2 * (sums.y - 0.0625 * sigma2 * sums.z));
 }
 
-// The factors at four nodes, of which each stands for this part of the step.
-fn matter_factors(way: Way, shares: vec4<f32>, parts: vec4<f32>, at: Places) -> Factors {
-    let x = factors_of(waves_at(matter_place(way, shares.x, parts.x, at.r.x)));
-    let y = factors_of(waves_at(matter_place(way, shares.y, parts.y, at.r.y)));
-    let z = factors_of(waves_at(matter_place(way, shares.z, parts.z, at.r.z)));
-    let w = factors_of(waves_at(matter_place(way, shares.w, parts.w, at.r.w)));
-    return Factors(vec4<f32>(x.x, y.x, z.x, w.x), vec4<f32>(x.y, y.y, z.y, w.y));
+// The factors at the nodes of a chunk between two shares of the step. Azimuth and delay at the nodes are
+// those at the chunk's start and the integrals of the polynomials through their rates.
+fn matter_factors(way: Way, ends: vec2<f32>, places: array<Places, MEDIUM_BLOCKS>) -> array<Factors, MEDIUM_BLOCKS> {
+    var at = places;
+    var node_places = MEDIUM_PLACES;
+    var node_weights = MEDIUM_WEIGHTS;
+    var partial = MEDIUM_PARTIAL;
+    let width = ends.y - ends.x;
+    let first = curve_at(way.path, ends.x);
+    let turns = turns_at(way, ends.x, first);
+    let delay = way.delay + crossing_delay(way.motion, way.step, way.h, ends.x, first.x);
+    var rates: array<Rates, MEDIUM_BLOCKS>;
+    for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
+        rates[i] = rates_at_nodes(way, ends.x + width * node_places[i], at[i]);
+    }
+    var factors: array<Factors, MEDIUM_BLOCKS>;
+    for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
+        var turned = vec4<f32>(0.0);
+        var slowed = vec4<f32>(0.0);
+        for (var j = 0u; j < MEDIUM_BLOCKS; j++) {
+            turned += partial[i * MEDIUM_BLOCKS + j] * rates[j].turning;
+            slowed += partial[i * MEDIUM_BLOCKS + j] * rates[j].slowing;
+        }
+        let shares = ends.x + width * node_places[i];
+        let parts = width * node_weights[i];
+        let all_turns = turns + (width * 0.5 / PI) * turned;
+        let delays = delay + width * slowed;
+        for (var lane = 0u; lane < 4u; lane++) {
+            let own = vec4<f32>(rates[i].turning[lane], rates[i].slowing[lane], rates[i].inward[lane], rates[i].upward[lane]);
+            let place = matter_place(way, shares[lane], parts[lane], at[i].r[lane], at[i].n_z[lane], all_turns[lane], delays[lane], own);
+            let found = factors_of(waves_at(place));
+            factors[i].flux[lane] = found.x;
+            factors[i].density[lane] = found.y;
+        }
+    }
+    return factors;
 }

@@ -111,5 +111,8 @@ fn structure_in_depth_is_that_of_the_twin() {
             "{spin} {camera:?}: {} lit, {median:.1e} {most:.1e}",
             errors.len()
         );
+        // With twelve nodes a chunk, what is left is f32's: phases of waves, and the search for the
+        // boundary of an opaque disk.
+        assert!(most < 3e-3, "{spin} {camera:?}: {most:e}");
     }
 }
