@@ -62,7 +62,7 @@ impl<'a> Inputs<'a> {
         let scene = self.scene;
         match binding {
             TILT if scene.disk.is_tilted() => Some(uniform(&GpuTilt::new(scene))),
-            HOT_SPOT if scene.hot_spot.kind != HotSpotKind::None => {
+            HOT_SPOT if scene.drawn_hot_spot() != HotSpotKind::None => {
                 Some(uniform(&GpuHotSpot::new(scene)))
             }
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),

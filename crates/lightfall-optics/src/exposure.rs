@@ -5,6 +5,7 @@
 //! The sky counts a little, so that the exposure changes smoothly when the disk leaves the picture.
 
 use crate::limb::Limb;
+use crate::medium::{Medium, Tolerance};
 use crate::photometry::DISK_HDR_SCALE;
 use crate::reference::Reference;
 use crate::shift::Shift;
@@ -37,6 +38,14 @@ const RANGE: [f64; 2] = [-12.0, 7.0];
 /// Halvings of that range, and the fraction of a power of two to which the result is rounded.
 const HALVINGS: u32 = 16;
 const PARTS: f64 = 1000.0;
+
+/// Nodes of a chunk of matter with depth, and how well its light is integrated: an exposure needs
+/// no more. The matter counts as smooth, so that lumps that pass do not change the exposure.
+const MEDIUM_NODES: usize = 4;
+const MEDIUM_TOLERANCE: Tolerance = Tolerance {
+    relative: 0.05,
+    end_depth: 6.0,
+};
 
 /// The largest change of the exposure by effects that are switched off, in powers of two: no switch
 /// turns the picture black or white.
@@ -135,6 +144,7 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
     // Light of an unshifted sky that alone would give SKY_EXPOSURE.
     let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
     let limb = Limb::new(scene);
+    let medium = Medium::smooth(scene, MEDIUM_NODES);
     let disk_light = |photon: &Photon, hit: Hit| {
         let flux = profile.flux(hit.r);
         let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
@@ -160,10 +170,15 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
         let trace = reference.trace(direction);
         let photon = reference.photon(direction.normalize());
         let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);
-        for hit in trace.hits.into_iter().flatten() {
-            light += transmission * disk_light(&photon, hit);
-            transmission *= disk::transmission(scene, hit.r);
-            uncovered *= 1.0 - disk::cover(scene, hit.r);
+        if let Some(medium) = &medium {
+            let passage = medium.seen(&photon, MEDIUM_TOLERANCE);
+            (light, uncovered) = (passage.light, (-passage.depth).exp());
+        } else {
+            for hit in trace.hits.into_iter().flatten() {
+                light += transmission * disk_light(&photon, hit);
+                transmission *= disk::transmission(scene, hit.r);
+                uncovered *= 1.0 - disk::cover(scene, hit.r);
+            }
         }
         let covered = 1.0 - uncovered;
         on_disk += covered;

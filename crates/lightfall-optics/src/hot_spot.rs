@@ -22,7 +22,7 @@ pub struct HotSpot {
 impl HotSpot {
     /// The scene's hot spot; `None` if it has none, or if no matter can orbit there.
     pub fn new(scene: &Scene) -> Option<Self> {
-        let there = scene.disk.enabled && scene.hot_spot.kind != HotSpotKind::None;
+        let there = scene.drawn_hot_spot() != HotSpotKind::None;
         let orbit = there.then(|| scene.kerr().circular_orbit(scene.hot_spot.r));
         Some(Self {
             spot: scene.hot_spot,

@@ -130,7 +130,7 @@ impl Variant {
         let lit = scene.disk.enabled && !marks;
         let structure = lit && scene.disk.structure != DiskStructure::None;
         let hot_spot = if lit {
-            scene.hot_spot.kind
+            scene.drawn_hot_spot()
         } else {
             HotSpotKind::None
         };

@@ -8,7 +8,7 @@ impl Scene {
     pub fn disk_moves(&self) -> bool {
         self.disk.enabled
             && (self.disk.structure != DiskStructure::None
-                || self.hot_spot.kind != HotSpotKind::None)
+                || self.drawn_hot_spot() != HotSpotKind::None)
     }
 
     /// Whether the picture shows that motion. Views of rays and of shifts show no light of the

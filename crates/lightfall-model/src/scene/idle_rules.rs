@@ -2,8 +2,8 @@
 
 use super::idle::{Idle, Output};
 use super::{
-    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, ObserverKind, Scene,
-    SkyMode, View,
+    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, ObserverKind, Scene, SkyMode,
+    View,
 };
 use Output::{Linear, Rays, Sequence, Still, Window};
 use glam::DVec3;
@@ -191,6 +191,8 @@ pub(super) const RULES: &[Rule] = &[
         "the disk is not tilted", "disk.tilt_deg=30"),
     rule(&[THICKNESS, &["quality.max_error_light"]], ALL, |scene| !scene.has_medium(),
         "the disk has no thickness", "disk.thickness=0.06"),
+    rule(&[HOT_SPOT], ALL, Scene::has_medium,
+        "only a disk without thickness has a hot spot", "disk.thickness=0"),
     rule(&[&["disk.transmission"]], ALL, Scene::has_medium,
         "disk.depth decides what passes through a disk with thickness", "disk.thickness=0"),
 

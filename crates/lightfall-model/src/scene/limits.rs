@@ -5,6 +5,7 @@ use std::ops::Bound::{self, Excluded, Included};
 use super::error::{Because, Refusal};
 use super::field::Field;
 use super::fields::FIELDS;
+use super::matter::{MAX_THICKNESS, MIN_THICKNESS, THICKNESS_PIVOT};
 use super::range::{Kind, Range, number};
 use super::tables::{EDGE, POLAR};
 use super::{DiskModel, Effects, HotSpotKind, Scene};
@@ -74,6 +75,24 @@ impl Scene {
                 );
                 (Range::closed(0.0, 0.0), because(&["hole.spin"], reason))
             }
+            "disk.thickness" if self.disk.thickness > 0.0 => {
+                let low = Included(MIN_THICKNESS);
+                let reason = "0 for a sheet without thickness".into();
+                (Range { low, ..range }, because(&[], reason))
+            }
+            "disk.flare" if self.has_medium() && self.has_outer_edge() => {
+                let keys = [
+                    "disk.thickness",
+                    "disk.inner",
+                    "disk.outer",
+                    "disk.follow_isco",
+                ];
+                let reason = format!(
+                    "with disk.thickness = {} the disk would be higher than {MAX_THICKNESS} of the radius at an edge",
+                    number(self.disk.thickness)
+                );
+                (self.flares(), because(&keys, reason))
+            }
             "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
                 let keys = [
                     "disk.inner",
@@ -130,6 +149,18 @@ impl Scene {
     /// Whether the disk begins at the innermost stable circular orbit.
     pub(super) fn begins_at_isco(&self) -> bool {
         self.inner_edge() <= self.kerr().isco()
+    }
+
+    /// The flares with which the height over the radius is at most [`MAX_THICKNESS`] at both edges.
+    fn flares(&self) -> Range {
+        let growth = (MAX_THICKNESS / self.disk.thickness).max(1.0).ln();
+        let inner = self.inner_edge();
+        let pivot = THICKNESS_PIVOT * inner;
+        let at_edge = |ratio: f64| growth / ratio.max(1.0 + 1e-9).ln();
+        Range {
+            low: Included((-at_edge(pivot / inner)).max(-1.0)),
+            high: Included(at_edge(self.disk.outer / pivot).min(1.0)),
+        }
     }
 
     /// How near to the hole the camera may be: as near as its observer exists

@@ -1,11 +1,28 @@
 //! Matter with depth: where a scene has it, and what traces rays through it.
 
-use super::{Method, Scene};
+use super::{HotSpotKind, Method, Scene};
+
+/// The radius at which the thickness is H/r, in units of the disk's inner edge.
+pub const THICKNESS_PIVOT: f64 = 4.0;
+/// The smallest H/r that is no sheet. With less, single rays would hardly meet the matter between two
+/// numbers of the GPU.
+pub(super) const MIN_THICKNESS: f64 = 0.002;
+/// The largest H/r, at any radius: the surface is then 26 degrees from the axis.
+pub(super) const MAX_THICKNESS: f64 = 0.3;
 
 impl Scene {
     /// Whether rays pass through matter with depth.
     pub fn has_medium(&self) -> bool {
         self.disk.enabled && self.disk.thickness > 0.0
+    }
+
+    /// The hot spot that the disk has: none where the disk is off, or has thickness.
+    pub fn drawn_hot_spot(&self) -> HotSpotKind {
+        if self.disk.enabled && !self.has_medium() {
+            self.hot_spot.kind
+        } else {
+            HotSpotKind::None
+        }
     }
 
     /// What `auto` means: the method with the smallest error at its speed (docs/ACCURACY.md) among

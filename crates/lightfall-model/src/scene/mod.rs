@@ -53,6 +53,7 @@ pub use idle::{Idle, Output};
 pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyMode};
 pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};
+pub use matter::THICKNESS_PIVOT;
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use projection::Projection;
 pub use range::{Kind, MAX_TEXT_CHARS, Range};

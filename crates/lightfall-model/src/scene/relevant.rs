@@ -91,7 +91,7 @@ impl Scene {
     #[must_use]
     pub fn for_readouts(&self) -> Self {
         let mut needed = self.without_shading();
-        if self.hot_spot.kind != HotSpotKind::None {
+        if self.drawn_hot_spot() != HotSpotKind::None {
             needed.hot_spot = self.hot_spot;
             needed.disk.time = self.disk.time;
         }

@@ -9,6 +9,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::field::Field;
+use super::matter::MAX_THICKNESS;
 use super::range::Range;
 use super::value::FieldValue;
 use super::{
@@ -233,7 +234,7 @@ table! {
         /// Share of the light from behind that passes through, for a disk without thickness.
         transmission: f64 = 0.0, SHARE, "";
         /// Height over radius, at four times the inner edge; 0 for a sheet without thickness.
-        thickness: f64 = 0.0, Range::closed(0.0, 0.3), "";
+        thickness: f64 = 0.0, Range::closed(0.0, MAX_THICKNESS), "";
         /// Optical depth of a disk with thickness, along its normal.
         depth: f64 = 12.0, Range::closed(0.1, 200.0), "";
         /// Power of the radius with which the height over the radius grows.

@@ -12,7 +12,7 @@ use crate::structure::{Covariance, Event, Structure};
 use glam::DVec3;
 use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::Photon;
-use lightfall_model::scene::{Disk, Scene};
+use lightfall_model::scene::{Disk, DiskStructure, Scene};
 
 /// The matter with depth of a scene, and how it shines for the scene's camera.
 #[derive(Clone, Debug)]
@@ -47,6 +47,13 @@ impl Medium {
             r: scene.camera.r,
             n: camera_in_disk_frame(scene),
         })
+    }
+
+    /// As [`Self::of`], without the disk's structure.
+    pub fn smooth(scene: &Scene, nodes: usize) -> Option<Self> {
+        let mut smooth = scene.clone();
+        smooth.disk.structure = DiskStructure::None;
+        Self::of(&smooth, nodes)
     }
 
     /// The light in linear sRGB that reaches the camera as this photon, given in the disk's frame,

@@ -3,15 +3,13 @@
 
 use super::source::{emission_scale, scattering_source};
 use lightfall_model::geometry::kerr::{Kerr, MASS};
-use lightfall_model::scene::{LimbDarkening, Scene};
+use lightfall_model::scene::{LimbDarkening, Scene, THICKNESS_PIVOT};
 
 /// The share of the height that remains at the edges, where the depth vanishes. Without it, tips of
 /// the disk would be thinner than any pixel.
 const EDGE_HEIGHT: f64 = 0.3;
 /// Half of the disk's opening in units of its root mean square height.
 const HALF_OPENING: f64 = 3.0;
-/// The radius at which the thickness is H/r, in units of the inner edge.
-const PIVOT: f64 = 4.0;
 /// The least -(g_tt + 2 g_tphi Omega + g_phiphi Omega^2) of the matter: beside the photon orbit no
 /// matter can rotate like this, and its light is all but gone.
 const MIN_CLOCK: f64 = 1e-6;
@@ -85,7 +83,7 @@ impl ThickDisk {
 
     /// The radius at which the thickness is that of the shape.
     pub fn pivot(&self) -> f64 {
-        PIVOT * self.shape.edges[0]
+        THICKNESS_PIVOT * self.shape.edges[0]
     }
 
     /// The half opening at the pivot, without the edges' fades.
