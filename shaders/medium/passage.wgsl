@@ -61,7 +61,8 @@ fn places_at(way: Way, orbit: KerrRay, share: vec4<f32>) -> Places {
     let path = way.path;
     let v = path.c0.x + share * (path.c1.x + share * (path.c2.x + share * (path.c3.x + share * (path.c4.x + share * path.c5.x))));
     let n_z = path.c0.y + share * (path.c1.y + share * (path.c2.y + share * (path.c3.y + share * (path.c4.y + share * path.c5.y))));
-    let r = 1.0 / max(way.motion.base + v, vec4<f32>(TINY));
+    // Beyond the outer edge nothing depends on r, and at u = 0 it would have no end.
+    let r = 1.0 / max(way.motion.base + v, vec4<f32>(0.5 / scene.disk.outer));
     let opening = half_opening(r);
     let turning = rotation(r, n_z);
     let slowing = turning.u_t * max(orbit.constants.energy - turning.omega * orbit.angular_momentum, vec4<f32>(1e-6));

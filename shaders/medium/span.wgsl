@@ -102,29 +102,32 @@ fn depth_inside(path: Curve, base: f32, share: f32) -> f32 {
     return opening - abs(y.y);
 }
 
-// Where the medium ends between a place inside and one that may be outside, by the method of
-// Illinois (Dowell & Jarratt 1971).
+// Where the medium ends between a place inside and one that may be outside: secants, and a bisection after
+// each secant that keeps more than half of the bracket.
 fn boundary(path: Curve, base: f32, within: f32, beyond: f32) -> f32 {
     var inside = vec2<f32>(within, depth_inside(path, base, within));
     var outside = vec2<f32>(beyond, depth_inside(path, base, beyond));
     if outside.y >= 0.0 {
         return beyond;
     }
-    var last = 0;
+    var halve = false;
     for (var i = 0u; i < MEDIUM_SEARCHES; i++) {
-        let share = (inside.x * outside.y - outside.x * inside.y) / min(outside.y - inside.y, -TINY);
+        let width = outside.x - inside.x;
+        let share = select(secant(inside, outside), inside.x + 0.5 * width, halve);
         let place = vec2<f32>(share, depth_inside(path, base, share));
         if place.y > 0.0 {
             inside = place;
-            outside.y *= select(1.0, 0.5, last == 1);
-            last = 1;
         } else {
             outside = place;
-            inside.y *= select(1.0, 0.5, last == -1);
-            last = -1;
         }
+        halve = !halve && abs(outside.x - inside.x) > 0.5 * abs(width);
     }
-    return (inside.x * outside.y - outside.x * inside.y) / min(outside.y - inside.y, -TINY);
+    return secant(inside, outside);
+}
+
+// Where the line through two points, of which only the first has a positive height, has none.
+fn secant(inside: vec2<f32>, outside: vec2<f32>) -> f32 {
+    return inside.x + (outside.x - inside.x) * inside.y / max(inside.y - outside.y, TINY);
 }
 
 // The place of a span that is deepest inside, about, by three places and two parabolas.

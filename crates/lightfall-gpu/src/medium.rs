@@ -75,10 +75,10 @@ fn end_depth(nodes: u32) -> f64 {
 /// to its boundary.
 fn searches(nodes: u32) -> u32 {
     match nodes {
-        3 => 3,
-        4 => 4,
-        8 => 6,
-        _ => 8,
+        3 => 4,
+        4 => 5,
+        8 => 7,
+        _ => 9,
     }
 }
 
