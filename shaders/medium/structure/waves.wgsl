@@ -140,11 +140,32 @@ fn waves_at(at: MatterPlace) -> vec3<f32> {
     return sums;
 }
 
-// exp(sigma f) over its mean, for the flux and for the density.
-fn factors_of(sums: vec3<f32>) -> vec2<f32> {
+// How many times the smooth depth of a node a lump has that the filter took away. Fitted: with it, the mean
+// light of disks seen at 60 and 83 degrees is within 1 % of that of 36 rays a pixel.
+const LUMP_DEPTH: f32 = 6.0;
+
+// exp(sigma f) over its mean, for the flux and for the density, of a node with this smooth depth.
+//
+// Where one field makes matter dense and bright, light comes from the bright places. The filter took away a
+// part of the field, with some variance; its mean light is that of lumps with the values -sqrt(3), 0 and
+// sqrt(3) times its standard deviation (Gauss-Hermite nodes), each weighted by what it absorbs.
+fn factors_of(sums: vec3<f32>, depth: f32) -> vec2<f32> {
     let sigma = vec2<f32>(thick_disk.flux_spread, thick_disk.density_spread);
     let sigma2 = sigma * sigma;
-    return exp(sigma * sums.x - 0.25 * sigma2 * (sums.y - 0.0625 * sigma2 * sums.z));
+    let factors = exp(sigma * sums.x - 0.25 * sigma2 * (sums.y - 0.0625 * sigma2 * sums.z));
+    if !MEDIUM_FILTERS {
+        return factors;
+    }
+    let variance = max(1.0 - 0.5 * sums.y, 0.0);
+    let spread = 1.7320508 * sqrt(variance) * sigma;
+    let mean = exp(-0.5 * variance * sigma2);
+    let dense = exp(spread);
+    let sparse = 1.0 / dense;
+    let lump = LUMP_DEPTH * depth * factors.y * mean.y;
+    let absorbed = vec3<f32>(4.0, 1.0, 1.0) * (1.0 - exp(-lump * vec3<f32>(1.0, dense.y, sparse.y)));
+    let all = absorbed.x + absorbed.y + absorbed.z;
+    let brighter = mean.x * dot(absorbed, vec3<f32>(1.0, dense.x, sparse.x)) / max(all, TINY);
+    return vec2<f32>(factors.x * select(1.0, brighter, all > 1e-5), factors.y);
 }
 
 // The factors at the nodes of a chunk between two shares of the step. Azimuth and delay at the nodes are
@@ -177,7 +198,7 @@ fn matter_factors(way: Way, ends: vec2<f32>, places: array<Places, MEDIUM_BLOCKS
         for (var lane = 0u; lane < 4u; lane++) {
             let own = vec4<f32>(rates[i].turning[lane], rates[i].slowing[lane], rates[i].inward[lane], rates[i].upward[lane]);
             let place = matter_place(way, shares[lane], parts[lane], at[i].r[lane], at[i].n_z[lane], all_turns[lane], delays[lane], own);
-            let found = factors_of(waves_at(place));
+            let found = factors_of(waves_at(place), parts[lane] * at[i].rate[lane]);
             factors[i].flux[lane] = found.x;
             factors[i].density[lane] = found.y;
         }

@@ -6,6 +6,7 @@ use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{GpuScene, Inputs, Variant, bindings};
 use lightfall_core::optics::medium::{Medium, Tolerance};
 use lightfall_core::optics::reference::Reference;
+use lightfall_core::scene::promises::MEDIUM_LIGHT;
 use lightfall_core::scene::{DiskStructure, ObserverKind, Scene, SkyMode};
 
 /// A scene with a thick disk and nothing behind it.
@@ -77,7 +78,7 @@ const SCENES: [(f64, [f64; 2], f64, f64); 4] = [
 #[ignore = "needs a graphics adapter"]
 fn light_holds_the_error_that_chooses_its_nodes() {
     for (spin, camera, thickness, depth) in SCENES {
-        for max_error in [0.07, 0.012, 0.001] {
+        for max_error in [0.07, MEDIUM_LIGHT, 0.001] {
             let mut scene = thick(spin, camera, thickness, depth);
             scene.quality.max_error_light = max_error;
             let errors = errors(&light(&scene, [48, 27], 1e-5));

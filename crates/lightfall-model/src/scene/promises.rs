@@ -74,6 +74,10 @@ promises! {
     /// The same for an observer who falls through 4.5 r_s.
     STAR_LIGHT_MISSED_FALLING = 2e-2, " of it",
         "the same, falling through 4.5 r_s", "stars/many.rs";
+    /// The error of the light of smooth matter with depth at the default setting, relative to the larger
+    /// of the light and 1 % of the brightest of 95 of 100 pixels, for 95 of 100 pixels.
+    MEDIUM_LIGHT = 2e-2, " of it",
+        "light of smooth matter with depth by default, in 95 of 100 lit pixels", "medium.rs";
     /// The change of a star's flux while the camera turns by tenths of a pixel, from peak to peak.
     STAR_FLICKER = 1e-3, " of it",
         "flux of a star while the camera turns by tenths of a pixel", "stars/light.rs";

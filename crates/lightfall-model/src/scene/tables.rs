@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::field::Field;
 use super::matter::MAX_THICKNESS;
+use super::promises::MEDIUM_LIGHT;
 use super::range::Range;
 use super::value::FieldValue;
 use super::{
@@ -396,7 +397,7 @@ table! {
         max_error_px: f64 = 0.05, Range::closed(1e-4, 1.0), "pixels";
         /// Largest error of the light of matter with depth, which 95 of 100 pixels hold, as a share
         /// of the light.
-        max_error_light: f64 = 0.02, Range::closed(1e-4, 1.0), "";
+        max_error_light: f64 = MEDIUM_LIGHT, Range::closed(1e-4, 1.0), "";
         /// Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high.
         /// Above 0.85 other limits of kerr-schild's steps decide.
         step_scale: f64 = 0.85, Range::above(0.0, 16.0), "";
