@@ -64,8 +64,7 @@ pub(super) fn medium_nodes(max_error: f64) -> u32 {
 /// The optical depth at which a ray with so many nodes in a chunk ends.
 fn end_depth(nodes: u32) -> f64 {
     match nodes {
-        3 => 6.0,
-        4 => 7.0,
+        3 | 4 => 6.0,
         8 => 10.0,
         _ => 12.0,
     }
