@@ -28,5 +28,6 @@ pub mod spectrum;
 pub mod stars;
 pub mod straight;
 pub mod structure;
+pub mod synchrotron;
 pub mod trace;
 pub mod worldline;

@@ -22,6 +22,7 @@ mod guides;
 mod hot_spot;
 mod hot_spot_flux;
 mod inside;
+mod jet;
 mod kerr;
 mod kerr_schild;
 mod light_without_spin;

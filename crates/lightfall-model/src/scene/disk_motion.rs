@@ -1,4 +1,4 @@
-//! The clock of a disk that moves: whether anything moves, and how its time goes on while a camera
+//! The clock of a disk that moves, or of jets: whether anything moves, and how its time goes on while a camera
 //! is moved from place to place.
 
 use super::{DiskStructure, HotSpotKind, Scene};
@@ -6,9 +6,9 @@ use super::{DiskStructure, HotSpotKind, Scene};
 impl Scene {
     /// Whether something moves in the scene, so that its picture depends on `disk.time`.
     pub fn disk_moves(&self) -> bool {
-        self.disk.enabled
-            && (self.disk.structure != DiskStructure::None
-                || self.drawn_hot_spot() != HotSpotKind::None)
+        let in_disk =
+            self.disk.structure != DiskStructure::None || self.drawn_hot_spot() != HotSpotKind::None;
+        self.disk.enabled && in_disk || self.jets_move()
     }
 
     /// Whether the picture shows that motion. Views of rays and of shifts show no light of the

@@ -2,7 +2,9 @@
 //! panel all read it.
 
 use super::field::Field;
-use super::{Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky};
+use super::{
+    Camera, Disk, Effects, Hole, HotSpot, Jet, Observer, Picture, Probe, Quality, Scene, Sky,
+};
 use std::sync::LazyLock;
 
 /// Every leaf field of a scene, in the order of declaration.
@@ -15,6 +17,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         Effects::FIELDS,
         Disk::FIELDS,
         HotSpot::FIELDS,
+        Jet::FIELDS,
         Sky::FIELDS,
         Probe::FIELDS,
         Picture::FIELDS,

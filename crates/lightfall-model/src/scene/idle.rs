@@ -52,12 +52,13 @@ impl Scene {
         RULES.iter().filter(applies)
     }
 
-    /// Whether anything in the scene emits light: the disk, the sky or the probe.
+    /// Whether anything in the scene emits light: the disk, the jets, the sky or the probe.
     #[must_use]
     pub fn shines(&self) -> bool {
         let disk = self.disk.enabled && self.disk.brightness > 0.0;
         let sky = self.sky.mode != SkyMode::Off && self.sky.brightness > 0.0;
-        disk || sky || self.probe.enabled
+        let jets = self.jet.enabled && self.jet.brightness > 0.0;
+        disk || jets || sky || self.probe.enabled
     }
 }
 

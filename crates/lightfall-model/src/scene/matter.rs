@@ -1,6 +1,6 @@
 //! Matter with depth: where a scene has it, and what traces rays through it.
 
-use super::{HotSpotKind, Method, Scene};
+use super::{HotSpotKind, Jet, Method, Scene};
 
 /// The radius at which the thickness is H/r, in units of the disk's inner edge.
 pub const THICKNESS_PIVOT: f64 = 4.0;
@@ -13,16 +13,32 @@ pub(super) const MAX_THICKNESS: f64 = 0.3;
 impl Scene {
     /// Whether rays pass through matter with depth.
     pub fn has_medium(&self) -> bool {
+        self.has_thick_disk() || self.jet.enabled
+    }
+
+    /// Whether the disk has thickness.
+    pub fn has_thick_disk(&self) -> bool {
         self.disk.enabled && self.disk.thickness > 0.0
     }
 
     /// The hot spot that the disk has: none where the disk is off, or has thickness.
     pub fn drawn_hot_spot(&self) -> HotSpotKind {
-        if self.disk.enabled && !self.has_medium() {
+        if self.disk.enabled && !self.has_thick_disk() {
             self.hot_spot.kind
         } else {
             HotSpotKind::None
         }
+    }
+
+    /// Whether something moves along the jets.
+    pub fn jets_move(&self) -> bool {
+        let Jet {
+            enabled,
+            knots,
+            brightness,
+            ..
+        } = self.jet;
+        enabled && knots > 0.0 && brightness > 0.0
     }
 
     /// What `auto` means: the method with the smallest error at its speed (docs/ACCURACY.md) among

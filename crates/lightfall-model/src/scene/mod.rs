@@ -59,7 +59,7 @@ pub use projection::Projection;
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use step_policy::ArticleQuality;
 pub use tables::{
-    Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
+    Camera, Disk, Effects, Hole, HotSpot, Jet, Observer, Picture, Probe, Quality, Scene, Sky,
 };
 pub use tone_curve::ToneCurve;
 pub use value::Value;

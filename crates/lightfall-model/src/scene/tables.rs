@@ -125,6 +125,8 @@ table! {
         disk: Disk;
         /// A hot spot in the disk.
         hot_spot: HotSpot;
+        /// The two jets.
+        jet: Jet;
         /// What lies at infinity.
         sky: Sky;
         /// The foreground probe.
@@ -299,6 +301,30 @@ table! {
         time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
         /// Standard deviation in time of the spot's brightness; 0 for a spot that always shines.
         duration: f64 = 0.0, Range::closed(0.0, 1e9), "r_s/c";
+    }
+}
+
+table! {
+    /// Two jets of matter that shines in magnetic fields, along the axis on both sides of the disk.
+    #[derive(Copy)]
+    pub struct Jet in (jet) {
+        /// Whether there are jets.
+        enabled: bool = false;
+        /// Artistic scale of the jets' emission.
+        brightness: f64 = 1.0, SCALE, "";
+        /// How wide the jets are: r^0.88 (1 - cos theta) of their outermost streamlines, with r in
+        /// r_s. The radius of a jet is sqrt(2 jet.width) r^0.56.
+        width: f64 = 0.3, Range::closed(0.05, 1.0), "";
+        /// How fast the matter becomes far out: its velocity times its Lorentz factor.
+        speed: f64 = 1.5, Range::closed(0.1, 20.0), "c";
+        /// Radius at which the jets have faded.
+        length: f64 = 40.0, Range::closed(5.0, 200.0), "r_s";
+        /// Standard deviation of the logarithm of the emission: filaments along the streamlines, and
+        /// knots that move outward with the matter.
+        knots: f64 = 1.0, Range::closed(0.0, 1.5), "";
+        /// Frequency at which the spectrum of the matter at 10 r_s falls off, over that of green
+        /// light, 540 THz. It decreases outward.
+        colour: f64 = 0.8, Range::closed(0.1, 20.0), "";
     }
 }
 

@@ -1,14 +1,18 @@
 //! The light of a scene's matter with depth.
 
+use super::disk_matter::{DiskMatter, Matter, Place};
+use super::jet::{FieldPlace, Jet, JetMatter, JetPlace, Knots};
 use super::nodes::Nodes;
+use super::sheet::Sheet;
 use super::thick_disk::ThickDisk;
-use super::transfer::{Emission, Matter, Passage, Place, Tolerance};
+use super::transfer::{Emission, Emitter, Filling, Passage, Tolerance};
 use crate::camera_rays::camera_in_disk_frame;
 use crate::disk::{Profile, lit, temperature};
 use crate::photometry::DISK_HDR_SCALE;
+use crate::reference::HoleAndDisk;
 use crate::shift::Shift;
-use crate::spectrum;
 use crate::structure::{Covariance, Event, Structure};
+use crate::{spectrum, synchrotron};
 use glam::DVec3;
 use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::Photon;
@@ -17,14 +21,20 @@ use lightfall_model::scene::{Disk, DiskStructure, Scene};
 /// The matter with depth of a scene, and how it shines for the scene's camera.
 #[derive(Clone, Debug)]
 pub struct Medium {
-    disk: ThickDisk,
+    disk: Option<ThickDisk>,
+    jet: Option<Jet>,
+    knots: Option<Knots>,
+    /// A disk without thickness, between the jets.
+    sheet: Option<Sheet>,
     nodes: Nodes,
     profile: Profile,
     lit: Disk,
+    jet_scale: f64,
     shift: Shift,
     structure: Option<Structure>,
     /// Standard deviations of the logarithms of the flux and of the density.
     spread: [f64; 2],
+    way: HoleAndDisk,
     r: f64,
     n: DVec3,
 }
@@ -32,18 +42,38 @@ pub struct Medium {
 impl Medium {
     /// The medium of a scene, integrated with so many nodes in a chunk; `None` if it has none.
     pub fn of(scene: &Scene, nodes: usize) -> Option<Self> {
-        let structure = Structure::new(scene, None);
+        let structure = Structure::new(scene, None).filter(|_| scene.has_thick_disk());
         let spread = structure
             .as_ref()
             .map_or([0.0; 2], |structure| structure.spread(&scene.disk));
-        Some(Self {
+        let (disk, jet) = (ThickDisk::of(scene), Jet::of(scene));
+        // The radii between which a ray must be followed.
+        let mut radii: Vec<f64> = Vec::new();
+        radii.extend(
+            jet.iter()
+                .flat_map(|jet| [jet.shape.base, jet.shape.length]),
+        );
+        if scene.disk.enabled {
+            radii.extend([scene.inner_edge(), scene.disk.outer]);
+        }
+        let inner = radii.iter().copied().fold(f64::INFINITY, f64::min);
+        let outer = radii.iter().copied().fold(0.0, f64::max);
+        scene.has_medium().then(|| Self {
             structure,
             spread,
-            disk: ThickDisk::of(scene)?,
+            disk,
+            jet,
+            knots: Knots::of(scene),
+            sheet: Sheet::of(scene),
             nodes: Nodes::new(nodes),
             profile: Profile::new(scene),
             lit: lit(scene),
+            jet_scale: scene.jet.brightness * DISK_HDR_SCALE,
             shift: Shift::new(scene),
+            way: HoleAndDisk {
+                kerr: scene.kerr(),
+                annulus: Some([inner, outer]),
+            },
             r: scene.camera.r,
             n: camera_in_disk_frame(scene),
         })
@@ -59,17 +89,35 @@ impl Medium {
     /// The light in linear sRGB that reaches the camera as this photon, given in the disk's frame,
     /// and the optical depth of its way.
     pub fn seen(&self, photon: &Photon, tolerance: Tolerance) -> Passage {
-        let (constants, start) = PhotonConstants::of_photon(self.disk.kerr, photon, self.r, self.n);
+        let (constants, start) = PhotonConstants::of_photon(self.way.kerr, photon, self.r, self.n);
         let lambda = constants.angular_momentum / constants.energy;
-        let matter = |place: &Place, emission: &Emission| {
-            let [flux, density] = self.factors(place, emission);
-            Matter {
-                density,
-                light: self.body_light(place, lambda, flux),
-            }
+        let disk = self.disk.as_ref().map(|disk| DiskMatter {
+            disk,
+            matter: |place: &Place, emission: &Emission| {
+                let [flux, density] = self.factors(place, emission);
+                Matter {
+                    density,
+                    light: self.body_light(place, lambda, flux),
+                }
+            },
+        });
+        let jet = self.jet.as_ref().map(|jet| JetMatter {
+            jet,
+            light: |place: &JetPlace, emission: &Emission| {
+                self.jet_light(jet, place, emission, lambda)
+            },
+        });
+        let sheet = self.sheet.as_ref();
+        let sheet = sheet.map(|sheet| |emission: &Emission| sheet.crossed(photon, emission));
+        let mut emitters: Vec<&dyn Emitter> = Vec::new();
+        emitters.extend(disk.iter().map(|disk| disk as &dyn Emitter));
+        emitters.extend(jet.iter().map(|jet| jet as &dyn Emitter));
+        let filling = Filling {
+            way: self.way,
+            emitters,
+            sheet: sheet.as_ref().map(|sheet| sheet as _),
         };
-        self.disk
-            .passage(&constants, start, &self.nodes, tolerance, matter)
+        filling.passage(&constants, start, &self.nodes, tolerance)
     }
 
     /// The factors by which the structure multiplies the flux and the density.
@@ -90,10 +138,31 @@ impl Medium {
     /// The radiance of an opaque body in the place of the matter, as the camera sees it, with the flux
     /// multiplied by a factor.
     fn body_light(&self, place: &Place, lambda: f64, factor: f64) -> DVec3 {
-        let theta = place.cos_theta.clamp(-1.0, 1.0).acos();
-        let g = self.shift.of_matter(place.g, (place.r, theta), lambda);
+        let g = self.shift_at(place.g, [place.r, place.cos_theta], lambda);
         let flux = self.profile.flux(place.r) * factor;
         let colour = DVec3::from(spectrum::colour(g * temperature(&self.lit, flux)));
         colour * flux * self.shift.beaming_factor(g) * self.lit.brightness * DISK_HDR_SCALE
+    }
+
+    /// What the camera sees for each unit of the smooth jets' emission.
+    fn jet_light(&self, jet: &Jet, place: &JetPlace, emission: &Emission, lambda: f64) -> DVec3 {
+        let g = self.shift_at(place.g, [place.r, place.cos_theta], lambda);
+        let factor = self.knots.as_ref().map_or(1.0, |knots| {
+            let field = knots.field(&FieldPlace {
+                r: place.r,
+                cos_theta: place.cos_theta,
+                phi: emission.azimuth(),
+                time: self.lit.time - emission.lag(),
+            });
+            field.factor(knots.spread)
+        });
+        let colour = DVec3::from(synchrotron::colour(g * jet.frequency(place.r)));
+        colour * factor * self.shift.beaming_factor(g) * self.jet_scale
+    }
+
+    /// The shift without the effects that are off, where `g` is the whole one.
+    fn shift_at(&self, g: f64, [r, cos_theta]: [f64; 2], lambda: f64) -> f64 {
+        let theta = cos_theta.clamp(-1.0, 1.0).acos();
+        self.shift.of_matter(g, (r, theta), lambda)
     }
 }

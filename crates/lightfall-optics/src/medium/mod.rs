@@ -7,16 +7,20 @@
 //! of the equation of transfer (Rybicki & Lightman 1979, eq. 1.30), whose intensity over the cube of
 //! the frequency is the same for all observers.
 
+mod disk_matter;
+pub mod jet;
 mod light;
 mod nodes;
+mod sheet;
 mod source;
 mod spans;
 mod thick_disk;
 mod transfer;
 
+pub use disk_matter::{Matter, Place};
 pub use light::Medium;
 pub use nodes::Nodes;
 pub use source::{emission_scale, scattering_source};
-pub use spans::{Span, spans};
+pub use spans::Span;
 pub use thick_disk::{Shape, ThickDisk};
-pub use transfer::{Emission, Matter, Passage, Place, Tolerance};
+pub use transfer::{Emission, Passage, Tolerance};

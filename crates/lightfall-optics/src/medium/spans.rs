@@ -1,6 +1,5 @@
 //! Where a ray is inside a medium.
 
-use super::thick_disk::ThickDisk;
 use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::mino::PhotonSeries;
 
@@ -14,15 +13,18 @@ const HALVINGS: u32 = 52;
 /// Steps of the search for the deepest place between three others.
 const DEEPER: u32 = 40;
 
-/// The spans of a step of this length inside a disk, in the order of the backward ray. They are cut
-/// where the disk's fades begin and end.
-pub fn spans(disk: &ThickDisk, series: &PhotonSeries, length: f64) -> Vec<Span> {
+/// The spans of a step of this length inside a medium, in the order of the backward ray. `depth_inside`
+/// says how far inside the place (r, n_z) is, and is positive there. The spans are cut at these radii.
+pub(super) fn spans(
+    depth_inside: &dyn Fn(f64, f64) -> f64,
+    radii: &[f64],
+    series: &PhotonSeries,
+    length: f64,
+) -> Vec<Span> {
     let place = |t: f64| (series.u.at(t).0.recip(), series.n[2].at(t).0);
-    // How far inside the medium a place is: positive inside.
     let inside = |t: f64| {
         let (r, z) = place(t);
-        let opening = disk.half_opening(r);
-        opening * opening - z * z
+        depth_inside(r, z)
     };
     let times: Vec<f64> = (0..=PLACES)
         .map(|i| length * f64::from(i) / f64::from(PLACES))
@@ -35,8 +37,8 @@ pub fn spans(disk: &ThickDisk, series: &PhotonSeries, length: f64) -> Vec<Span> 
             marks.push(deepest([three[0], three[2]], &inside));
         }
     }
-    for radius in disk.radii() {
-        let beyond = |t: f64| place(t).0 > radius;
+    for radius in radii {
+        let beyond = |t: f64| place(t).0 > *radius;
         for two in times.windows(2) {
             if beyond(two[0]) != beyond(two[1]) {
                 let start = beyond(two[0]);

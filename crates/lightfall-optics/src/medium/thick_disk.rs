@@ -71,7 +71,7 @@ impl ThickDisk {
             depth: disk.depth,
         };
         scene
-            .has_medium()
+            .has_thick_disk()
             .then(|| Self::new(scene.kerr(), shape, disk.limb))
     }
 

@@ -1,58 +1,29 @@
-//! The light that comes through a medium, along one ray.
+//! The light that comes through matter, along one ray.
 
 use super::nodes::Nodes;
-use super::spans::{Span, spans};
-use super::thick_disk::ThickDisk;
+use super::spans::Span;
 use crate::delay::Lag;
-use crate::reference::{self, HoleAndDisk};
+use crate::reference::{self, HoleAndDisk, time_to_plane};
 use glam::DVec3;
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::{PhotonConstants, PhotonState};
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
 
-/// A place on the way of a ray inside a medium.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Radius, in r_s.
-    pub r: f64,
-    /// n_z, the cosine of the angle from the disk's normal.
-    pub cos_theta: f64,
-    /// Observed over emitted frequency of the matter's light.
-    pub g: f64,
-    /// The source function over F/pi.
-    pub source: f64,
-}
-
-/// What the matter does to light at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Matter {
-    /// Its density over that of the smooth disk.
-    pub density: f64,
-    /// The radiance of an opaque body in its place, as the camera sees it.
-    pub light: DVec3,
-}
-
-impl Matter {
-    /// Matter of a smooth disk.
-    pub fn smooth(light: DVec3) -> Self {
-        Self {
-            density: 1.0,
-            light,
-        }
-    }
-}
-
-/// Where and when light left a place. Both cost more than the place itself, and a smooth disk needs
-/// neither.
+/// A place on the way of a ray. Where and when light left it cost more than the place itself.
 pub struct Emission<'a> {
-    kerr: Kerr,
-    constants: &'a PhotonConstants,
+    pub(super) kerr: Kerr,
+    pub(super) constants: &'a PhotonConstants,
     lag: &'a Lag<'a>,
     step: &'a reference::Step<'a>,
     /// Mino time since the start of the step.
-    time: f64,
+    pub(super) time: f64,
 }
 
 impl Emission<'_> {
+    /// The motion from the start of the step on.
+    pub(super) fn series(&self) -> &PhotonSeries {
+        self.step.expansion
+    }
+
     /// Boyer-Lindquist azimuth, in radians, of any number of turns.
     pub fn azimuth(&self) -> f64 {
         let state = self.step.expansion.at(self.time);
@@ -68,6 +39,26 @@ impl Emission<'_> {
     pub fn lag(&self) -> f64 {
         self.lag.at(self.step, self.time)
     }
+}
+
+/// Matter with depth, which emits light or absorbs it.
+pub(super) trait Emitter {
+    /// The spans of a step of this length inside the matter, in the order of the backward ray. Within
+    /// each of them its light is smooth.
+    fn spans(&self, series: &PhotonSeries, length: f64) -> Vec<Span>;
+
+    /// The light that a place emits, and its optical depth, for each unit of Mino time.
+    fn rates(&self, at: &Emission) -> (DVec3, f64);
+}
+
+/// What fills the space around a hole.
+pub(super) struct Filling<'a> {
+    /// The hole, and the radii between which there is matter.
+    pub way: HoleAndDisk,
+    /// The matter with depth.
+    pub emitters: Vec<&'a dyn Emitter>,
+    /// The light of a sheet in the plane where a ray crosses it, and the optical depth of the sheet.
+    pub sheet: Option<&'a dyn Fn(&Emission) -> (DVec3, f64)>,
 }
 
 /// What reaches the camera along a ray.
@@ -101,52 +92,41 @@ const MAX_HALVINGS: u32 = 16;
 
 /// The ray's way through one step, and what integrates it.
 struct Step<'a> {
-    disk: &'a ThickDisk,
+    kerr: Kerr,
     constants: &'a PhotonConstants,
     step: &'a reference::Step<'a>,
     lag: &'a Lag<'a>,
     nodes: &'a Nodes,
-    matter: &'a dyn Fn(&Place, &Emission) -> Matter,
 }
 
-impl ThickDisk {
+impl Filling<'_> {
     /// Follows the backward ray with these constants from `start`, and returns the light that
-    /// reaches its start. `matter` says what the matter at a place does.
+    /// reaches its start.
     pub fn passage(
         &self,
         constants: &PhotonConstants,
         start: PhotonState,
         nodes: &Nodes,
         tolerance: Tolerance,
-        matter: impl Fn(&Place, &Emission) -> Matter,
     ) -> Passage {
-        let way = HoleAndDisk {
-            kerr: self.kerr,
-            annulus: Some(self.shape.edges),
-        };
+        let kerr = self.way.kerr;
         let mut passage = Passage {
             light: DVec3::ZERO,
             depth: 0.0,
         };
-        let mut lag = Lag::new(self.kerr, constants, &start);
-        way.follow_to_inner_edge(constants, start, |step| {
+        let mut lag = Lag::new(kerr, constants, &start);
+        self.way.follow_to_inner_edge(constants, start, |step| {
             if passage.depth > tolerance.end_depth {
                 return;
             }
             let step_way = Step {
-                disk: self,
+                kerr,
                 constants,
                 step,
                 lag: &lag,
                 nodes,
-                matter: &matter,
             };
-            for span in spans(self, step.expansion, step.length) {
-                let whole = step_way.chunk(span);
-                let limit = tolerance.relative;
-                let piece = step_way.refined(span, whole, limit, MAX_HALVINGS);
-                passage = passage.followed_by(piece);
-            }
+            passage = step_way.followed(passage, self, tolerance.relative);
             lag.add(step);
         });
         passage
@@ -172,36 +152,69 @@ impl Passage {
 }
 
 impl Step<'_> {
-    /// The light of opaque matter at a Mino time, and the optical depth for each unit of Mino time.
-    fn at(&self, t: f64) -> (DVec3, f64) {
-        let series = self.step.expansion;
-        let (r, cos_theta) = (series.u.at(t).0.recip(), series.n[2].at(t).0);
-        let [omega, u_t] = self.disk.rotation(r, cos_theta);
-        let constants = self.constants;
-        let emitted = u_t * (constants.energy - omega * constants.angular_momentum);
-        let place = Place {
-            r,
-            cos_theta,
-            g: emitted.recip(),
-            source: self.disk.source(r, cos_theta),
-        };
-        let emission = Emission {
-            kerr: self.disk.kerr,
-            constants,
+    /// A passage, and what it meets in this step.
+    fn followed(&self, mut passage: Passage, filling: &Filling, relative: f64) -> Passage {
+        let (series, length) = (self.step.expansion, self.step.length);
+        let emitters = filling.emitters.iter();
+        let all_spans: Vec<_> = emitters.map(|e| (*e, e.spans(series, length))).collect();
+        let spans = all_spans.iter().flat_map(|(_, spans)| spans);
+        let mut marks: Vec<f64> = spans.flatten().copied().collect();
+        let crossing = filling.sheet.and_then(|sheet| {
+            let end = series.at(length).n.z;
+            Some((sheet, time_to_plane(series, end, length)?))
+        });
+        marks.extend(crossing.map(|(_, time)| time));
+        marks.sort_by(f64::total_cmp);
+        for (i, from) in marks.iter().enumerate() {
+            // A mark may be there twice; the sheet is met once.
+            let repeated = i > 0 && marks[i - 1] == *from;
+            if let Some((sheet, time)) = crossing
+                && time == *from
+                && !repeated
+            {
+                let (light, depth) = sheet(&self.emission(time));
+                passage = passage.followed_by(Passage { light, depth });
+            }
+            let Some(to) = marks.get(i + 1).filter(|to| *to > from) else {
+                continue;
+            };
+            let middle = 0.5 * (from + to);
+            let within = |span: &&Span| span[0] <= middle && middle <= span[1];
+            let there: Vec<_> = all_spans
+                .iter()
+                .filter(|(_, spans)| spans.iter().any(|span| within(&span)))
+                .map(|(emitter, _)| *emitter)
+                .collect();
+            if !there.is_empty() {
+                let span = [*from, *to];
+                let whole = self.chunk(&there, span);
+                let piece = self.refined(&there, span, whole, relative, MAX_HALVINGS);
+                passage = passage.followed_by(piece);
+            }
+        }
+        passage
+    }
+
+    fn emission(&self, time: f64) -> Emission<'_> {
+        Emission {
+            kerr: self.kerr,
+            constants: self.constants,
             lag: self.lag,
             step: self.step,
-            time: t,
-        };
-        let matter = (self.matter)(&place, &emission);
-        let length = emitted * self.disk.kerr.sigma(r, cos_theta);
-        let rate = self.disk.opacity(r, cos_theta) * matter.density * length;
-        (place.source * matter.light, rate)
+            time,
+        }
     }
 
     /// The light of a span, by the nodes.
-    fn chunk(&self, [from, to]: Span) -> Passage {
+    fn chunk(&self, emitters: &[&dyn Emitter], [from, to]: Span) -> Passage {
         let length = to - from;
-        let sample = |place: &f64| self.at(from + length * place);
+        let sample = |place: &f64| {
+            let at = self.emission(from + length * place);
+            let rates = emitters.iter().map(|emitter| emitter.rates(&at));
+            rates.fold((DVec3::ZERO, 0.0), |sum, (light, depth)| {
+                (sum.0 + light, sum.1 + depth)
+            })
+        };
         let samples: Vec<(DVec3, f64)> = self.nodes.places.iter().map(sample).collect();
         let depth_by = |weights: &[f64]| {
             let terms = weights.iter().zip(&samples);
@@ -209,8 +222,8 @@ impl Step<'_> {
         };
         let mut light = DVec3::ZERO;
         let rows = self.nodes.partial.iter().zip(&self.nodes.weights);
-        for ((partial, weight), (source, rate)) in rows.zip(&samples) {
-            light += (-depth_by(partial)).exp() * weight * length * rate * *source;
+        for ((partial, weight), (emitted, _)) in rows.zip(&samples) {
+            light += (-depth_by(partial)).exp() * weight * length * *emitted;
         }
         Passage {
             light,
@@ -219,15 +232,22 @@ impl Step<'_> {
     }
 
     /// The light of a span whose chunk is `whole`, halved until the halves agree with it.
-    fn refined(&self, [from, to]: Span, whole: Passage, relative: f64, halvings: u32) -> Passage {
+    fn refined(
+        &self,
+        emitters: &[&dyn Emitter],
+        [from, to]: Span,
+        whole: Passage,
+        relative: f64,
+        halvings: u32,
+    ) -> Passage {
         let middle = 0.5 * (from + to);
         let [near, far] = [[from, middle], [middle, to]];
-        let [first, second] = [near, far].map(|span| self.chunk(span));
+        let [first, second] = [near, far].map(|span| self.chunk(emitters, span));
         let halves = first.followed_by(second);
         if halvings == 0 || whole.agrees(&halves, relative) {
             return halves;
         }
-        let first = self.refined(near, first, relative, halvings - 1);
-        first.followed_by(self.refined(far, second, relative, halvings - 1))
+        let first = self.refined(emitters, near, first, relative, halvings - 1);
+        first.followed_by(self.refined(emitters, far, second, relative, halvings - 1))
     }
 }
