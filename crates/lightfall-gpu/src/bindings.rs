@@ -122,6 +122,9 @@ bindings! {
     WAVE_HEIGHTS: UNIFORM, picture;
     /// The numbers `ThickDisk`, in storage: as a uniform they would come after the seventh place.
     THICK_DISK: STORAGE, picture;
+    /// The numbers `Jet`, with their table of colours and their waves, in storage: as a uniform they would
+    /// come after the seventh place.
+    JET: STORAGE, picture;
 }
 
 // Shaders with bindings of their own.

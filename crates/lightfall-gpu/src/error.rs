@@ -64,6 +64,18 @@ pub enum GpuError {
          {thickness} gives it depth; disk.thickness = 0 makes it a sheet"
     )]
     StraightRays { thickness: f64 },
+    /// The method follows no rays through jets.
+    #[error(
+        "method = \"{}\" is refused: it follows no ray through the jets of jet.enabled = true; auto and mino do",
+        .0.word()
+    )]
+    MethodWithoutJets(Method),
+    /// Straight rays pass no jets.
+    #[error(
+        "effects.lensing = false is refused: straight rays pass no jets, and jet.enabled = true asks for them; \
+         jet.enabled = false leaves them out"
+    )]
+    StraightRaysWithJets,
     /// The device has too little free memory.
     #[error("the graphics device has too little free memory: {0}")]
     OutOfMemory(String),

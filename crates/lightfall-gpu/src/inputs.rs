@@ -2,10 +2,11 @@
 //! uniform is a row of [`bindings`], and an arm of [`Inputs::contents`].
 
 use super::bindings::{
-    self, Binding, ERROR_MAP, HOT_SPOT, PAGE_THORNE, SPECTRUM, STRUCTURE, THICK_DISK, TILT,
+    self, Binding, ERROR_MAP, HOT_SPOT, JET, PAGE_THORNE, SPECTRUM, STRUCTURE, THICK_DISK, TILT,
     WAVE_HEIGHTS,
 };
 use super::error_map::ErrorMap;
+use super::jet::GpuJet;
 use super::kernel::{table_bytes, uniform};
 use super::medium::GpuThickDisk;
 use super::scene::{GpuHotSpot, GpuTilt};
@@ -68,6 +69,7 @@ impl<'a> Inputs<'a> {
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),
             STRUCTURE => Some(uniform(&GpuStructure::new(scene, self.max_waves)?)),
             WAVE_HEIGHTS => Some(uniform(&wave_heights(scene, self.max_waves)?)),
+            JET => Some(uniform(&GpuJet::new(scene)?)),
             THICK_DISK => Some(uniform(&GpuThickDisk::new(scene)?)),
             PAGE_THORNE => match Profile::new(scene) {
                 Profile::PageThorne(disk) => Some(table_bytes(&disk.table())),

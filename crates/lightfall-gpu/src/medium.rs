@@ -81,6 +81,11 @@ fn searches(nodes: u32) -> u32 {
     }
 }
 
+/// Appends the share of light at which a ray ends that has so many nodes in a chunk.
+pub(super) fn add_min_transmission(prelude: &mut String, nodes: u32) {
+    add_f32(prelude, "MIN_TRANSMISSION", (-end_depth(nodes)).exp());
+}
+
 /// Appends the nodes to a prelude, four in a vector, of which the last may be empty.
 pub(super) fn add_constants(prelude: &mut String, count: u32) {
     let nodes = Nodes::new(count as usize);
@@ -111,7 +116,6 @@ pub(super) fn add_constants(prelude: &mut String, count: u32) {
     add_u32(prelude, "MEDIUM_NODES", count);
     add_u32(prelude, "MEDIUM_BLOCKS", blocks);
     add_u32(prelude, "MEDIUM_SEARCHES", searches(count));
-    add_f32(prelude, "MIN_TRANSMISSION", (-end_depth(count)).exp());
     let kind = |of: &str, length: u32| format!("array<{of}, {length}>");
     let list = kind("vec4<f32>", blocks);
     add_constant(prelude, "MEDIUM_PLACES", &list, vectors(&nodes.places));

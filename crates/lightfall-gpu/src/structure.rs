@@ -95,7 +95,7 @@ pub(crate) fn wave_heights(
     scene: &Scene,
     limit: Option<u32>,
 ) -> Option<[Vec4; MAX_RINGS * MAX_GROUPS]> {
-    let structure = Structure::new(scene, limit).filter(|_| scene.has_medium())?;
+    let structure = Structure::new(scene, limit).filter(|_| scene.has_thick_disk())?;
     let mut heights = [Vec4::ZERO; MAX_RINGS * MAX_GROUPS];
     for (i, ring) in structure.rings.iter().enumerate() {
         for (height, waves) in heights[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {

@@ -10,7 +10,7 @@ use glam::DVec3;
 use std::sync::LazyLock;
 
 /// Number of entries of the table.
-pub const TABLE_LEN: usize = 128;
+pub const TABLE_LEN: usize = 256;
 /// nu_c of the table's first and last entries, over 540 THz.
 pub const TABLE_RANGE: [f64; 2] = [0.05, 50.0];
 

@@ -1,7 +1,7 @@
 // The field of the disk's structure: shearing waves in rings that rotate with the matter.
 // optics/structure explains the model; the twin in f64 is optics/structure/field.rs.
 //
-// Gives: BIRTHS, GROUP_STRIDE, Group, Ring, cos_half_turns, life_number, phases_at, structure.
+// Gives: BIRTHS, GROUP_STRIDE, cos_half_turns, life_number, phases_at, structure.
 
 // One wave of each of four octaves: their azimuthal wave numbers, and the radial ones in radians
 // per unit of ln r.

@@ -11,7 +11,7 @@
 // deviation along the ray is no part of the footprint, so a difference in Mino time does not matter, and
 // that of chi is left out.
 //
-// Gives: Neighbours, carried, deviation_at, neighbours_of.
+// Gives: Neighbour, Neighbours, carried, deviation_at, neighbours_of.
 
 // The state of a neighbour and its slope times the step, and its constants, less those of the ray.
 struct Neighbour {

@@ -22,18 +22,6 @@ struct MatterPlace {
     mixed: vec3<f32>,
 }
 
-// Azimuth in turns, where the ray has the state y.
-fn turns_at(way: Way, share: f32, y: vec4<f32>) -> f32 {
-    var angle = way.chi;
-    if SPINNING {
-        angle = add_angle(angle, azimuth_gain(way.motion, way.path, way.h, share, y.x, way.regular, way.ingoing));
-        if way.ingoing {
-            angle = add_angle(angle, azimuth_lag_to_infinity(way.motion, y.x));
-        }
-    }
-    return (atan2_precise(y.w, y.z) + wrap_angle(angle)) * (0.5 / PI);
-}
-
 // The rates of azimuth and delay for each unit of the step's share, at four nodes: the azimuth's own, with
 // chi' = a (E - W/D), and delay.wgsl's plain form.
 struct Rates {

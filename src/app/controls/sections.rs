@@ -110,6 +110,15 @@ pub const SECTIONS: &[Section] = sections! {
         "hot_spot.time" "Time of the flare" Linear(-1000.0, 1000.0);
         "hot_spot.duration" "Length of the flare" Linear(0.0, 500.0);
     }
+    folded "Jets" {
+        "jet.enabled" "Jets" Plain;
+        "jet.brightness" "Brightness" Logarithmic(0.01, 100.0);
+        "jet.width" "Width" Logarithmic(0.05, 1.0);
+        "jet.speed" "Speed" Logarithmic(0.1, 20.0);
+        "jet.length" "Length" Logarithmic(5.0, 200.0);
+        "jet.knots" "Knots" Plain;
+        "jet.colour" "Colour" Logarithmic(0.1, 20.0);
+    }
     folded "Light" {
         "effects.lensing" "Bending of light" Plain;
         "effects.doppler" "Doppler shift" Plain;
@@ -171,13 +180,14 @@ pub const SECTIONS: &[Section] = sections! {
 };
 
 /// Names in sentences of fields whose label does not suit one.
-const NAMES: [(&str, &str); 8] = [
+const NAMES: [(&str, &str); 9] = [
     ("hole.spin", "spin"),
     ("observer.kind", "observer"),
     ("effects.lensing", "lensing"),
     ("effects.doppler", "Doppler shift"),
     ("disk.enabled", "disk"),
     ("hot_spot.kind", "hot spot"),
+    ("jet.enabled", "jets"),
     ("probe.enabled", "probe"),
     ("sky.mode", "sky"),
 ];

@@ -6,8 +6,9 @@ use lightfall_core::gpu::stars::{
     GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, StarKernel, candidate_shader,
 };
 use lightfall_core::gpu::{
-    Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality,
-    GpuRing, GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
+    Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuJet, GpuJetWaves, GpuObserver,
+    GpuPatterns, GpuPicture, GpuQuality, GpuRing, GpuScene, GpuShadow, GpuSky, GpuStructure,
+    Presentation, Variant,
 };
 use lightfall_core::scene::{DiskStructure, HotSpotKind, Projection, Scene};
 use naga::{Module, TypeInner};
@@ -127,6 +128,17 @@ fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
     let offsets = GpuStructure::METADATA.extra.offsets;
     assert_same_layout(&module, &structure, "Structure", &offsets);
     assert_same_layout!(&module, GpuRing = "Ring");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_jets_alike() {
+    let mut scene = Scene::default();
+    scene.jet.enabled = true;
+    let module = parsed(Variant::picture(&scene).source());
+    let jet = GpuJet::new(&scene).unwrap();
+    let offsets = GpuJet::METADATA.extra.offsets;
+    assert_same_layout(&module, &jet, "Jet", &offsets);
+    assert_same_layout!(&module, GpuPatterns = "Patterns", GpuJetWaves = "JetWaves");
 }
 
 #[test]

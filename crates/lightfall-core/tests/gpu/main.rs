@@ -30,6 +30,7 @@ mod hot_spot;
 #[path = "../physics/hot_spot_flux.rs"]
 mod hot_spot_flux;
 mod inside;
+mod jet;
 mod kerr_schild;
 mod layout;
 mod light;

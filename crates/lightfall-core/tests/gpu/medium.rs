@@ -24,7 +24,7 @@ fn thick(spin: f64, [r, theta_deg]: [f64; 2], thickness: f64, depth: f64) -> Sce
 
 /// The light of the GPU and of the converged twin on a grid of pixels: the largest of red, green and
 /// blue.
-fn light(scene: &Scene, size: [u32; 2], relative: f64) -> Vec<[f64; 2]> {
+pub(crate) fn light(scene: &Scene, size: [u32; 2], relative: f64) -> Vec<[f64; 2]> {
     let source = Variant::timed_light(scene).source();
     let mut uniforms = Inputs::new(scene).declared_in(&source);
     uniforms.push((
@@ -54,7 +54,7 @@ fn light(scene: &Scene, size: [u32; 2], relative: f64) -> Vec<[f64; 2]> {
 
 /// The errors of lit pixels, relative to the larger of the pixel's light and 1 % of the picture's 95th
 /// percentile.
-fn errors(pairs: &[[f64; 2]]) -> Vec<f64> {
+pub(crate) fn errors(pairs: &[[f64; 2]]) -> Vec<f64> {
     let lit: Vec<_> = pairs
         .iter()
         .filter(|pair| pair[0] > 0.0 || pair[1] > 0.0)

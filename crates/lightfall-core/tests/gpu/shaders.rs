@@ -179,7 +179,26 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
             Entry::Picture | Entry::Refine | Entry::TimedLight
         );
         let sky = pictures && variant.sky != SkyMode::Off;
-        assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
+        let thick = variant.medium_nodes > 0;
+        assert_eq!(
+            source.contains("fn hermite"),
+            variant.disk && !thick,
+            "{variant:?}"
+        );
+        assert_eq!(source.contains("fn add_disk"), thick, "{variant:?}");
+        let jets = variant.jet_nodes > 0;
+        for part in ["fn add_jet", "> jet:", "JET_NODES"] {
+            assert_eq!(source.contains(part), jets, "{part} in {variant:?}");
+        }
+        for part in ["JET_WAVE_ROWS", "struct JetWaves"] {
+            assert_eq!(
+                source.contains(part),
+                variant.knots,
+                "{part} in {variant:?}"
+            );
+        }
+        let sheet = jets && variant.disk && !thick;
+        assert_eq!(source.contains("fn add_sheet"), sheet, "{variant:?}");
         let light = matches!(variant.view, View::Colour | View::Unfinished);
         let stars = matches!(
             variant.entry,

@@ -3,7 +3,7 @@
 
 use lightfall_core::gpu::{Entry, Tracer, Variant};
 use lightfall_core::scene::{
-    DiskModel, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
 };
 
 /// Every variant that a scene can ask for, with two exceptions: sets of effects with some
@@ -132,7 +132,46 @@ pub fn every_variant() -> Vec<Variant> {
         throat: true,
         ..variant
     }));
+    all.extend(matter_with_depth());
     let mut seen = std::collections::HashSet::new();
     all.retain(|variant| seen.insert(*variant));
+    all
+}
+
+/// The variants of scenes with matter with depth: a disk with thickness, jets, and jets among disks of
+/// both kinds.
+fn matter_with_depth() -> Vec<Variant> {
+    let mut all = Vec::new();
+    let kinds = [
+        (true, 0.06, false),
+        (true, 0.06, true),
+        (true, 0.0, true),
+        (false, 0.0, true),
+    ];
+    for spin in [0.0, 0.5] {
+        for (enabled, thickness, jet) in kinds {
+            for set in 0..8 {
+                let [structured, knots, dark] = [0, 1, 2].map(|bit| set >> bit & 1 == 1);
+                let mut scene = Scene::default();
+                scene.hole.spin = spin;
+                (scene.disk.enabled, scene.disk.thickness) = (enabled, thickness);
+                (scene.jet.enabled, scene.jet.knots) = (jet, f64::from(u8::from(knots)));
+                scene.disk.structure = if structured {
+                    DiskStructure::Turbulent
+                } else {
+                    DiskStructure::None
+                };
+                (scene.sky.mode, scene.disk.limb) = if dark {
+                    (SkyMode::Off, LimbDarkening::None)
+                } else {
+                    (SkyMode::Stars, LimbDarkening::ElectronScattering)
+                };
+                let picture = Variant::picture(&scene);
+                all.extend([picture, Variant::timed_light(&scene)]);
+                all.extend(picture.refined());
+                all.extend(Variant::star_kernels(&scene));
+            }
+        }
+    }
     all
 }

@@ -14,7 +14,10 @@ use lightfall_core::scene::{ObserverKind, Scene};
 /// The jets of the test values.
 fn jet() -> Jet {
     let kerr = Kerr { spin: 0.9 };
-    let shape = Shape::new(kerr, [0.3, 1.5, 40.0, 0.8]);
+    let shape = Shape {
+        decay: 1.3,
+        ..Shape::new(kerr, [0.3, 1.5, 40.0, 0.8])
+    };
     Jet { kerr, shape }
 }
 

@@ -102,13 +102,14 @@ fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
         return Err(GpuError::ErrorsInBrowser);
     }
     if scene.has_medium() {
-        let thickness = scene.disk.thickness;
+        let (thick, thickness) = (scene.has_thick_disk(), scene.disk.thickness);
         let method = scene.resolved_method();
-        if method != Method::Mino {
-            return Err(GpuError::MethodOfSheet { method, thickness });
-        }
-        if !scene.effects.lensing {
-            return Err(GpuError::StraightRays { thickness });
+        match (method == Method::Mino, scene.effects.lensing) {
+            (true, true) => {}
+            (false, _) if thick => return Err(GpuError::MethodOfSheet { method, thickness }),
+            (false, _) => return Err(GpuError::MethodWithoutJets(method)),
+            (true, false) if thick => return Err(GpuError::StraightRays { thickness }),
+            (true, false) => return Err(GpuError::StraightRaysWithJets),
         }
     }
     let r = scene.camera.r;

@@ -14,6 +14,9 @@ impl Variant {
         ];
         files.extend(self.method_files());
         files.extend(self.disk_files());
+        if self.has_medium() {
+            files.extend(self.medium_files().into_iter().map(str::to_owned));
+        }
         files.extend(self.view_files());
         files.push(if self.effects.lensing {
             "stars/closed.wgsl".into()
@@ -55,9 +58,9 @@ impl Variant {
     /// The file that gives `differences`, which measure a footprint. Only the entries of pictures
     /// have neighbours.
     fn neighbours_file(self) -> &'static str {
-        let structure = self.structure && self.entry != Entry::TimedLight;
+        let moves = (self.structure || self.knots) && self.entry != Entry::TimedLight;
         let compared =
-            structure || self.reference_star || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
+            moves || self.reference_star || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
         match self.entry {
             Entry::Refine => "neighbours/lanes.wgsl",
             Entry::Picture if compared => "neighbours/pixels.wgsl",
@@ -87,14 +90,6 @@ impl Variant {
         } else {
             "stars/dim.wgsl"
         };
-        let in_matter: &[&str] = if self.structure {
-            &[
-                "medium/structure/differential.wgsl",
-                "medium/structure/waves.wgsl",
-            ]
-        } else {
-            &["medium/structure/none.wgsl"]
-        };
         let emission = if self.entry == Entry::Star(StarKernel::Dim) {
             "medium/emission/none.wgsl"
         } else {
@@ -113,9 +108,37 @@ impl Variant {
             file("disk/limb", self.limb.word()),
             file("medium/source", self.limb.word()),
         ];
-        let own = own.iter().chain(structure).chain(in_matter);
+        let own = own.iter().chain(structure);
         let own = own.copied().map(str::to_owned);
         own.chain(named).collect()
+    }
+
+    /// The files of matter with depth: what there is in a step of a ray, its structure, and the
+    /// footprints of rays.
+    fn medium_files(self) -> Vec<&'static str> {
+        let (thick, jet) = (self.medium_nodes > 0, self.jet_nodes > 0);
+        let matter = match (thick, jet, self.disk) {
+            (true, true, _) => "medium/matter/disk_and_jet.wgsl",
+            (true, false, _) => "medium/matter/disk.wgsl",
+            (false, _, true) => "medium/matter/sheet_and_jet.wgsl",
+            (false, _, false) => "medium/matter/jet.wgsl",
+        };
+        let differential = if self.structure || self.knots {
+            "medium/structure/differential.wgsl"
+        } else {
+            "medium/structure/no_neighbours.wgsl"
+        };
+        let knots = if self.knots {
+            "medium/jet/knots.wgsl"
+        } else {
+            "medium/jet/smooth.wgsl"
+        };
+        let [disk, sheet] = if self.structure {
+            ["medium/structure/waves.wgsl", "medium/sheet/footprint.wgsl"]
+        } else {
+            ["medium/structure/none.wgsl", "medium/sheet/smooth.wgsl"]
+        };
+        vec![matter, differential, knots, disk, sheet]
     }
 
     /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the
@@ -155,11 +178,7 @@ impl Variant {
             View::Unfinished => View::Colour,
             view => view,
         };
-        let folder = if self.medium_nodes > 0 {
-            "medium"
-        } else {
-            "view"
-        };
+        let folder = if self.has_medium() { "medium" } else { "view" };
         let mut files = vec![file(folder, view.word())];
         if view.properties().traces {
             files.push("view/traced.wgsl".into());

@@ -22,6 +22,7 @@ pub use files::ShaderFiles;
 pub use text::ShaderText;
 pub use tracer::Tracer;
 
+use crate::jet::jet_nodes;
 use crate::medium::medium_nodes;
 use crate::stars::StarKernel;
 use lightfall_model::geometry::kerr::Kerr;
@@ -58,6 +59,10 @@ pub struct Variant {
     pub hot_spot: HotSpotKind,
     /// Nodes of each chunk of matter with depth, or 0 without such matter.
     pub medium_nodes: u32,
+    /// Nodes of each piece of the jets, or 0 without jets.
+    pub jet_nodes: u32,
+    /// Whether the jets have knots.
+    pub knots: bool,
     /// The disk's limb darkening; none where none is drawn.
     pub limb: LimbDarkening,
     /// Nodes of the integral of the delay, or 0 if the delay is not used.
@@ -134,7 +139,9 @@ impl Variant {
         } else {
             HotSpotKind::None
         };
+        let knots = !marks && scene.jets_move();
         let needs_delay = structure
+            || knots
             || hot_spot != HotSpotKind::None
             || scene.disk.enabled && scene.view.properties().delays;
         Self {
@@ -152,11 +159,17 @@ impl Variant {
             structure,
             repeats: structure && scene.disk.period > 0.0,
             hot_spot,
-            medium_nodes: if lit && scene.has_medium() {
+            medium_nodes: if lit && scene.has_thick_disk() {
                 medium_nodes(scene.quality.max_error_light)
             } else {
                 0
             },
+            jet_nodes: if !marks && scene.jet.enabled {
+                jet_nodes(scene.quality.max_error_light)
+            } else {
+                0
+            },
+            knots,
             limb: if lit {
                 scene.disk.limb
             } else {
@@ -242,6 +255,8 @@ impl Variant {
             repeats: false,
             hot_spot: HotSpotKind::None,
             medium_nodes: 0,
+            jet_nodes: 0,
+            knots: false,
             limb: LimbDarkening::None,
             delay_nodes: 0,
             throat: false,
@@ -277,6 +292,11 @@ impl Variant {
             is_constant,
         );
         files.into_iter().map(|file| &*file.name).collect()
+    }
+
+    /// Whether rays pass through matter with depth.
+    pub(super) fn has_medium(self) -> bool {
+        self.medium_nodes > 0 || self.jet_nodes > 0
     }
 
     /// Whether it traces rays to the images of stars.

@@ -36,6 +36,21 @@ impl Variant {
             for limb in LimbDarkening::ALL {
                 add(&|scene| scene.disk.limb = limb);
             }
+            for (thickness, enabled, knots) in [
+                (0.06, false, 0.0),
+                (0.06, true, 0.0),
+                (0.06, true, 1.0),
+                (0.0, true, 0.0),
+                (0.0, true, 1.0),
+            ] {
+                for limb in LimbDarkening::ALL {
+                    add(&|scene| {
+                        scene.disk.thickness = thickness;
+                        scene.disk.limb = limb;
+                        (scene.jet.enabled, scene.jet.knots) = (enabled, knots);
+                    });
+                }
+            }
             add(&|scene| scene.sky.reference_star = true);
             add(&|scene| scene.effects.lensing = false);
             add(&|scene| scene.picture.antialias = false);

@@ -6,6 +6,7 @@ use super::text::{add_constant, add_u32};
 use super::{Entry, Variant};
 use crate::antialias;
 use crate::error_map::ErrorMap;
+use crate::jet;
 use crate::medium;
 use crate::starlight;
 use crate::stars::add_star_constants;
@@ -73,6 +74,12 @@ impl Variant {
         }
         if self.medium_nodes > 0 {
             medium::add_constants(&mut text, self.medium_nodes);
+        }
+        if self.jet_nodes > 0 {
+            jet::add_constants(&mut text, self.jet_nodes, self.knots);
+        }
+        if self.has_medium() {
+            medium::add_min_transmission(&mut text, self.medium_nodes);
             // A single ray sees points, as its twin in f64 does.
             let filters = self.entry != Entry::TimedLight;
             add_constant(&mut text, "MEDIUM_FILTERS", "bool", filters);
@@ -83,9 +90,9 @@ impl Variant {
         text
     }
 
-    /// Whether anything in the disk moves with its matter.
+    /// Whether anything in the disk or the jets moves with its matter.
     fn moves(self) -> bool {
-        self.structure || self.hot_spot != HotSpotKind::None
+        self.structure || self.knots || self.hot_spot != HotSpotKind::None
     }
 }
 

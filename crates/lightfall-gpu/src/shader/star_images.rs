@@ -19,7 +19,7 @@ impl Variant {
             ..through_disk
         };
         match kernel {
-            StarKernel::Dim if scene.has_medium() => {
+            StarKernel::Dim if scene.has_thick_disk() => {
                 let picture = Self::picture(&Scene {
                     view: View::Colour,
                     ..scene.clone()

@@ -81,6 +81,11 @@ fn setting(scene: &Scene) -> AccuracySetting {
     scene.resolved_method().properties().setting
 }
 
+/// Whether the disk's structure changes neither its light nor its density.
+fn has_no_contrast(scene: &Scene) -> bool {
+    scene.disk.contrast == 0.0 && !(scene.has_thick_disk() && scene.disk.lumps > 0.0)
+}
+
 /// Whether the camera is at rest for observers with zero angular momentum, in whose frame nothing is
 /// aberrated.
 fn has_zero_angular_momentum(scene: &Scene) -> bool {
@@ -94,13 +99,9 @@ fn has_zero_angular_momentum(scene: &Scene) -> bool {
 
 const TEXTS: &[&str] = &["name", "title"];
 /// Where the disk is.
-const DISK_SHAPE: &[&str] = &[
-    "disk.inner",
-    "disk.follow_isco",
-    "disk.outer",
-    "disk.tilt_deg",
-    "disk.node_deg",
-];
+const DISK_SHAPE: &[&str] = &["disk.inner", "disk.follow_isco", "disk.outer"];
+/// The axis of the disk and of the jets.
+const AXIS: &[&str] = &["disk.tilt_deg", "disk.node_deg"];
 /// How the disk shines.
 const DISK_LIGHT: &[&str] = &[
     "disk.temperature_k",
@@ -127,12 +128,21 @@ const STRUCTURE: &[&str] = &[
     "disk.aspect",
     "disk.pitch_deg",
     "disk.lifetime",
-    "disk.period",
     "disk.waves",
     "disk.seed",
 ];
+/// The time of structure and of knots.
 const CLOCK: &[&str] = &["disk.time", "disk.rate"];
+const PERIOD: &[&str] = &["disk.period"];
 const HOT_SPOT: &[&str] = &["hot_spot."];
+/// How the jets shine.
+const JET_LIGHT: &[&str] = &[
+    "jet.width",
+    "jet.speed",
+    "jet.length",
+    "jet.knots",
+    "jet.colour",
+];
 /// What else changes light and no ray.
 const OTHER_LIGHT: &[&str] = &[
     "sky.",
@@ -169,13 +179,21 @@ pub(super) const RULES: &[Rule] = &[
     rule(&[TEXTS], &[Still, Sequence, Linear], always,
         "the file of the picture holds this text, and the picture does not show it", ""),
     rule(&[TEXTS], &[Rays], always, "rays carry no text", ""),
-    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT,
-        &["picture.", "probe.", "view"]], &[Rays], always, "traced rays carry no light", ""),
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, PERIOD, HOT_SPOT, OTHER_LIGHT,
+        &["jet.", "picture.", "probe.", "view"]], &[Rays], always, "traced rays carry no light", ""),
 
     rule(&[DISK_SHAPE], ALL, |scene| !scene.disk.enabled, "the disk is off", "disk.enabled=true"),
-    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT], PICTURES,
+    rule(&[AXIS], ALL, |scene| !scene.disk.enabled && !scene.jet.enabled,
+        "the disk is off", "disk.enabled=true"),
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, HOT_SPOT], PICTURES,
         |scene| !scene.disk.enabled,
         "the disk is off", "disk.enabled=true"),
+    rule(&[CLOCK, PERIOD], PICTURES, |scene| !scene.disk.enabled && !scene.jets_move(),
+        "the disk is off", "disk.enabled=true"),
+    rule(&[JET_LIGHT, &["jet.brightness"]], PICTURES, |scene| !scene.jet.enabled,
+        "the jets are off", "jet.enabled=true"),
+    rule(&[JET_LIGHT], PICTURES, |scene| scene.jet.brightness == 0.0,
+        "the jets' brightness is 0", "jet.brightness=1"),
     rule(&[&["disk.inner"]], ALL, |scene| scene.disk.follow_isco,
         "the disk begins at the innermost stable orbit", "disk.follow_isco=false"),
     value_rule(&[&["disk.inner"]], ALL, |scene| scene.disk.inner < scene.kerr().isco(),
@@ -189,11 +207,13 @@ pub(super) const RULES: &[Rule] = &[
         "around a hole that spins the disk lies in the equator; hole.spin=0 with disk.tilt_deg=30 uses it", ""),
     rule(&[&["disk.node_deg"]], ALL, |scene| !scene.disk.is_tilted(),
         "the disk is not tilted", "disk.tilt_deg=30"),
-    rule(&[THICKNESS, &["quality.max_error_light"]], ALL, |scene| !scene.has_medium(),
+    rule(&[THICKNESS], ALL, |scene| !scene.has_thick_disk(),
         "the disk has no thickness", "disk.thickness=0.06"),
-    rule(&[HOT_SPOT], ALL, Scene::has_medium,
+    rule(&[&["quality.max_error_light"]], ALL, |scene| !scene.has_medium(),
+        "the disk has no thickness, and there are no jets", "disk.thickness=0.06"),
+    rule(&[HOT_SPOT], ALL, Scene::has_thick_disk,
         "only a disk without thickness has a hot spot", "disk.thickness=0"),
-    rule(&[&["disk.transmission"]], ALL, Scene::has_medium,
+    rule(&[&["disk.transmission"]], ALL, Scene::has_thick_disk,
         "disk.depth decides what passes through a disk with thickness", "disk.thickness=0"),
 
     rule(&[&["method", "quality."]], ALL, |scene| !scene.effects.lensing,
@@ -212,7 +232,7 @@ pub(super) const RULES: &[Rule] = &[
         |scene| scene.observer.kind == ObserverKind::Zamo && scene.hole.spin == 0.0,
         "without spin an observer with zero angular momentum is a static one", "hole.spin=0.9"),
     rule(&[&["effects.doppler"]], PICTURES,
-        |scene| !scene.disk.enabled && has_zero_angular_momentum(scene),
+        |scene| !scene.disk.enabled && !scene.jet.enabled && has_zero_angular_momentum(scene),
         "neither the observer nor any matter moves", "disk.enabled=true"),
     rule(&[&["effects.aberration"]], ALL, has_zero_angular_momentum,
         "this observer has zero angular momentum, so nothing is displaced", "observer.kind=rain"),
@@ -220,14 +240,17 @@ pub(super) const RULES: &[Rule] = &[
         |scene| !scene.effects.aberration && !scene.effects.doppler,
         "motion neither displaces nor shifts light", "effects.aberration=true"),
 
-    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, HOT_SPOT, OTHER_LIGHT, SCREEN],
-        PICTURES, shows_no_light,
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, PERIOD, HOT_SPOT, OTHER_LIGHT,
+        SCREEN, &["jet."]], PICTURES, shows_no_light,
         "this view shows no light", "view=colour"),
     rule(&[&["effects.doppler", "effects.gravitational_shift"]], PICTURES, shows_rays,
         "this view shows no light", "view=colour"),
     rule(&[&["disk.rate"]], &[Still, Linear], always, "a single picture shows one moment", ""),
     rule(&[STRUCTURE, &["disk.lumps", "disk.lanes"]], PICTURES,
         |scene| scene.disk.structure == DiskStructure::None,
+        "the disk is smooth", "disk.structure=turbulent"),
+    rule(&[PERIOD], PICTURES,
+        |scene| scene.disk.structure == DiskStructure::None && !scene.jets_move(),
         "the disk is smooth", "disk.structure=turbulent"),
     rule(&[&["disk.returning"]], PICTURES, |scene| scene.disk.model == DiskModel::Newtonian,
         "only the relativistic brightness law counts light that returns to the disk",
@@ -242,14 +265,17 @@ pub(super) const RULES: &[Rule] = &[
         "disk.structure=turbulent"),
     rule(&[&["disk.temperature_k", "disk.model", "disk.limb", "disk.returning", "disk.keep_accretion",
         "disk.structure"],
-        STRUCTURE, CLOCK, HOT_SPOT], PICTURES, |scene| scene.disk.brightness == 0.0,
+        STRUCTURE, HOT_SPOT], PICTURES, |scene| scene.disk.brightness == 0.0,
+        "the disk's brightness is 0", "disk.brightness=1"),
+    rule(&[CLOCK, PERIOD], PICTURES, |scene| scene.disk.brightness == 0.0 && !scene.jets_move(),
         "the disk's brightness is 0", "disk.brightness=1"),
     rule(&[&["sky.seed", "sky.ra_deg", "sky.dec_deg", "sky.roll_deg", "sky.magnitude_limit",
         "sky.reference_star"]], PICTURES, |scene| scene.sky.brightness == 0.0,
         "the sky's brightness is 0", "sky.brightness=1"),
-    rule(&[&["disk.scale", "disk.aspect", "disk.pitch_deg", "disk.lifetime", "disk.period", "disk.waves",
-        "disk.seed"]], PICTURES,
-        |scene| scene.disk.contrast == 0.0 && !(scene.has_medium() && scene.disk.lumps > 0.0),
+    rule(&[&["disk.scale", "disk.aspect", "disk.pitch_deg", "disk.lifetime", "disk.waves",
+        "disk.seed"]], PICTURES, has_no_contrast,
+        "the structure's contrast is 0", "disk.contrast=0.6"),
+    rule(&[PERIOD], PICTURES, |scene| has_no_contrast(scene) && !scene.jets_move(),
         "the structure's contrast is 0", "disk.contrast=0.6"),
     rule(&[&["disk.lanes"]], PICTURES, |scene| scene.disk.contrast == 0.0,
         "the structure's contrast is 0", "disk.contrast=0.6"),

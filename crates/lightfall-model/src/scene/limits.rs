@@ -80,7 +80,7 @@ impl Scene {
                 let reason = "0 for a sheet without thickness".into();
                 (Range { low, ..range }, because(&[], reason))
             }
-            "disk.flare" if self.has_medium() && self.has_outer_edge() => {
+            "disk.flare" if self.has_thick_disk() && self.has_outer_edge() => {
                 let keys = [
                     "disk.thickness",
                     "disk.inner",

@@ -68,9 +68,9 @@ impl Scene {
     pub fn for_stars(&self) -> Self {
         let mut needed = self.without_shading();
         needed.sky = self.sky;
-        if self.has_medium() {
+        if self.has_thick_disk() {
             needed.disk = self.disk;
-            if !self.disk_moves() {
+            if !needed.disk_moves() {
                 needed.disk.time = Self::default().disk.time;
             }
         } else {

@@ -148,15 +148,14 @@ impl Medium {
     fn jet_light(&self, jet: &Jet, place: &JetPlace, emission: &Emission, lambda: f64) -> DVec3 {
         let g = self.shift_at(place.g, [place.r, place.cos_theta], lambda);
         let factor = self.knots.as_ref().map_or(1.0, |knots| {
-            let field = knots.field(&FieldPlace {
+            knots.factor(&FieldPlace {
                 r: place.r,
                 cos_theta: place.cos_theta,
                 phi: emission.azimuth(),
                 time: self.lit.time - emission.lag(),
-            });
-            field.factor(knots.spread)
+            })
         });
-        let colour = DVec3::from(synchrotron::colour(g * jet.frequency(place.r)));
+        let colour = DVec3::from(synchrotron::colour(g * jet.frequency(place.r, factor)));
         colour * factor * self.shift.beaming_factor(g) * self.jet_scale
     }
 

@@ -3,7 +3,9 @@
 //! A wave has the phase w (t - T(r)) + m (phi - Phi(r)) + b ln r + c x + a random phase, where T and Phi
 //! are the time and the turn about the axis in which a pattern comes from the base. So a wave with few
 //! oscillations in time draws filaments along the streamlines, and one with many of them knots that move
-//! outward. Frequencies are fixed, so nothing winds up.
+//! outward. Frequencies are fixed, so nothing winds up. A third kind moves the sheath to and fro.
+//!
+//! Which waves there are is a choice for a picture: no result of gas dynamics.
 
 use super::Jet;
 use crate::shift::RestFrame;
@@ -13,17 +15,25 @@ use lightfall_model::random::Random;
 use lightfall_model::scene::Scene;
 use std::f64::consts::TAU;
 
-/// Number of waves, a multiple of four: filaments first, then knots.
-pub const WAVES: usize = 24;
-/// Number of waves that are filaments.
-const FILAMENTS: usize = 16;
+/// Number of waves of each kind, multiples of four: those of filaments, of knots, and of the sheath's
+/// ripples.
+pub const KINDS: [usize; 3] = [16, 8, 4];
+/// Number of all waves.
+pub const WAVES: usize = KINDS[0] + KINDS[1] + KINDS[2];
 /// Entries of the table of travel times.
 pub const TRAVEL: usize = 64;
 /// The least velocity of a pattern. Next to the base, where the matter begins at rest, shocks are
 /// faster than it is.
 const PATTERN_SPEED: f64 = 0.25;
 /// The square of the place across the jet within which waves about the axis vanish.
-pub const AXIS: f64 = 0.04;
+pub const AXIS: f64 = 0.01;
+/// For each unit of `jet.knots`: how sharp filaments are, the standard deviation of the logarithm of the
+/// knots' emission, and that of the place of the sheath across the jet.
+pub const FILAMENTS: f64 = 30.0;
+/// As [`FILAMENTS`] says.
+pub const KNOTS: f64 = 0.65;
+/// As [`FILAMENTS`] says.
+pub const RIPPLES: f64 = 0.06;
 /// The purpose of the random numbers.
 const PURPOSE: u64 = 0x6a65_7473;
 
@@ -92,26 +102,45 @@ impl Knots {
         })
     }
 
-    /// The field at a place and a time. Its variance is one away from the axis.
-    pub fn field(&self, place: &FieldPlace) -> Field {
+    /// The factor by which the patterns multiply the emission of the smooth jets at a place and a time.
+    pub fn factor(&self, place: &FieldPlace) -> f64 {
         let x = self.jet.across(place.r, place.cos_theta);
         let off_axis = x * x / (x * x + AXIS);
         let [time, turn] = self.travel.at(place.r);
         let side = usize::from(place.cos_theta < 0.0);
-        let mut field = Field::default();
-        for wave in self.waves {
+        let mut fields = [Field::default(); 3];
+        for (i, wave) in self.waves.iter().enumerate() {
             let phase = wave.frequency * (place.time - time)
                 + wave.about * (place.phi - turn)
                 + wave.along * place.r.ln()
                 + wave.across * x
                 + wave.phases[side];
             let amplitude = wave.amplitude * off_axis.powf(0.5 * wave.about.abs());
+            let field = &mut fields[kind_of(i)];
             field.value += amplitude * phase.cos();
             field.squares += amplitude.powi(2);
             field.fourth_powers += amplitude.powi(4);
         }
-        field
+        let [filaments, knots, ripples] = fields;
+        let moved = RIPPLES * self.spread * ripples.value;
+        let across = self.jet.across_profile(x - moved, x) / self.jet.across_profile(x, x);
+        self.filaments(&filaments) * knots.factor(KNOTS * self.spread) * across
     }
+
+    /// exp(-q f^2) over its mean: bright where the field changes its sign, which is in sheets that are
+    /// seen as filaments. A part of the field that a footprint or the axis has taken is spread about its
+    /// rest as a normal distribution, over which this is the mean.
+    fn filaments(&self, field: &Field) -> f64 {
+        let q = FILAMENTS * self.spread;
+        let lost = (1.0 - 0.5 * field.squares).max(0.0);
+        let width = 1.0 + 2.0 * q * lost;
+        ((1.0 + 2.0 * q) / width).sqrt() * (-q * field.value.powi(2) / width).exp()
+    }
+}
+
+/// The kind of the wave with this number.
+fn kind_of(wave: usize) -> usize {
+    usize::from(wave >= KINDS[0]) + usize::from(wave >= KINDS[0] + KINDS[1])
 }
 
 impl Travel {
@@ -168,48 +197,40 @@ fn waves(period: f64) -> [Wave; WAVES] {
             frequency
         }
     };
+    let round = |x: f64| f64::from(x as f32);
     std::array::from_fn(|i| {
-        let filament = i < FILAMENTS;
-        let share = if filament {
-            (i as f64 + random.unit()) / FILAMENTS as f64
-        } else {
-            ((i - FILAMENTS) as f64 + random.unit()) / (WAVES - FILAMENTS) as f64
-        };
+        let kind = kind_of(i);
+        let first = [0, KINDS[0], KINDS[0] + KINDS[1]][kind];
+        let share = ((i - first) as f64 + random.unit()) / KINDS[kind] as f64;
         let sign = if random.one_in(2) { 1.0 } else { -1.0 };
         let mut normal = || (0..3).map(|_| random.between(-1.0, 1.0)).sum::<f64>();
-        let wave = if filament {
-            // From a few broad filaments to many fine ones.
-            let about = (2.0 * 6.0_f64.powf(share)).round();
-            Wave {
-                frequency: TAU / (160.0 * 0.25_f64.powf(share)),
-                about: sign * about,
-                along: 1.6 * normal(),
-                across: 4.0 * normal(),
-                ..Wave::default()
+        // From the first of two numbers to the second one, evenly in their logarithms.
+        let spread = |from: f64, to: f64| from * (to / from).powf(share);
+        let (period, about, along, across) = match kind {
+            // Fine filaments change four times as fast as broad ones. Two thirds are wound more than the
+            // streamlines, and the others less, so that they cross.
+            0 => {
+                let about = spread(4.0, 30.0).round();
+                let wound = if i % 3 == 2 { -1.0 } else { 1.3 };
+                let along = about * (wound + 0.06 * normal());
+                (spread(400.0, 100.0), about, along, normal())
             }
-        } else {
-            Wave {
-                frequency: TAU / (5.0 * 8.0_f64.powf(share)),
-                about: sign * [0.0, 1.0, 2.0][i % 3],
-                along: 0.7 * normal(),
-                across: 3.0 * normal(),
-                ..Wave::default()
+            1 => {
+                let about = sign * [0.0, 1.0, 2.0][i % 3];
+                (spread(6.0, 40.0), about, 0.5 * normal(), 2.0 * normal())
             }
-        };
-        let round = |x: f64| f64::from(x as f32);
-        let amplitude = if filament { 0.7 } else { 0.714 };
-        let count = if filament {
-            FILAMENTS
-        } else {
-            WAVES - FILAMENTS
+            _ => {
+                let about = sign * [1.0, 2.0, 3.0, 1.0][i % 4];
+                (spread(10.0, 40.0), about, normal(), 0.0)
+            }
         };
         Wave {
-            frequency: whole(wave.frequency),
-            along: round(wave.along),
-            across: round(wave.across),
+            frequency: whole(TAU / period),
+            about,
+            along: round(along),
+            across: round(across),
             phases: [0, 1].map(|_| random.between(0.0, TAU)),
-            amplitude: round(amplitude * (2.0 / count as f64).sqrt()),
-            ..wave
+            amplitude: round((2.0 / KINDS[kind] as f64).sqrt()),
         }
     })
 }

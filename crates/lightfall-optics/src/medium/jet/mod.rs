@@ -9,7 +9,9 @@
 mod knots;
 mod light;
 
-pub use knots::{AXIS, FieldPlace, Knots, TRAVEL, Travel, WAVES, Wave};
+pub use knots::{
+    AXIS, FILAMENTS, FieldPlace, KINDS, KNOTS, Knots, RIPPLES, TRAVEL, Travel, WAVES, Wave,
+};
 pub(super) use light::JetMatter;
 pub use light::JetPlace;
 
@@ -54,6 +56,8 @@ pub struct Shape {
     pub colour: f64,
     /// The power of r with which this frequency falls.
     pub cooling: f64,
+    /// The power of the patterns' factor with which it grows: shocks heat.
+    pub heating: f64,
 }
 
 impl Shape {
@@ -68,10 +72,11 @@ impl Shape {
             rise: 8.0,
             base: 1.3 * kerr.horizon(),
             length,
-            decay: 1.3,
+            decay: 1.4,
             swirl: 0.5,
             colour,
-            cooling: 0.25,
+            cooling: 1.1,
+            heating: 0.4,
         }
     }
 }
@@ -104,6 +109,11 @@ impl Jet {
         (2.0 * self.shape.width).sqrt() * r.powf(1.0 - 0.5 * self.shape.kappa)
     }
 
+    /// The radius at which the matter is at rest.
+    pub fn rest(&self) -> f64 {
+        REST * self.shape.base
+    }
+
     /// How far inside the jets a place is: positive inside.
     pub fn inside(&self, r: f64, cos_theta: f64) -> f64 {
         let Shape { base, length, .. } = self.shape;
@@ -124,10 +134,14 @@ impl Jet {
 
     /// The brightness across the jet: a sheath and a spine, and nothing at the edge.
     pub fn profile(&self, x: f64) -> f64 {
+        self.across_profile(x, x) * (1.0 - x.powi(8)).powi(2)
+    }
+
+    /// The brightness of the sheath at one place across the jet and of the spine at another.
+    fn across_profile(&self, in_sheath: f64, in_spine: f64) -> f64 {
         let [place, width] = self.shape.sheath;
-        let sheath = (-((x - place) / width).powi(2)).exp();
-        let spine = self.shape.spine * (-(x / SPINE_WIDTH).powi(2)).exp();
-        (sheath + spine) * (1.0 - x.powi(8)).powi(2)
+        let sheath = (-((in_sheath - place) / width).powi(2)).exp();
+        sheath + self.shape.spine * (-(in_spine / SPINE_WIDTH).powi(2)).exp()
     }
 
     /// Emission of the smooth jets for each r_s of the way in the matter's frame.
@@ -137,16 +151,19 @@ impl Jet {
         self.profile(self.across(r, cos_theta)) * self.radius(r).powf(-shape.decay) * ends
     }
 
-    /// The frequency at which the matter's spectrum falls off, over 540 THz.
-    pub fn frequency(&self, r: f64) -> f64 {
-        self.shape.colour * (r / COLOUR_RADIUS).powf(-self.shape.cooling)
+    /// The frequency at which the matter's spectrum falls off, over 540 THz, where patterns multiply the
+    /// emission by `factor`.
+    pub fn frequency(&self, r: f64, factor: f64) -> f64 {
+        self.shape.colour
+            * (r / COLOUR_RADIUS).powf(-self.shape.cooling)
+            * factor.powf(self.shape.heating)
     }
 
     /// The matter's Lorentz factor, and its velocity (outward, toward growing theta, toward growing
     /// phi) for the observer with zero angular momentum.
     pub fn velocity(&self, r: f64, cos_theta: f64) -> (f64, [f64; 3]) {
         let shape = self.shape;
-        let momentum = shape.speed * (r - REST * shape.base) / (r + shape.rise);
+        let momentum = shape.speed * (r - self.rest()) / (r + shape.rise);
         let lorentz = (1.0 + momentum * momentum).sqrt();
         // tan(theta/2) = sin(theta)/(1 + cos(theta)) from the nearer pole.
         let cos = cos_theta.abs();

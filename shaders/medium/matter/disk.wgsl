@@ -1,0 +1,13 @@
+// Matter with depth: a disk with thickness.
+//
+// Gives: add_step, is_within_matter.
+
+// Whether no matter lies between a place and the hole.
+fn is_within_matter(u: f32) -> bool {
+    return u * scene.disk.inner >= 1.0;
+}
+
+// Adds what a ray meets in the first `end` of a step.
+fn add_step(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, end: f32) {
+    add_disk(result, way, orbit, photon, span_in_medium(way.path, way.motion.base, end));
+}
