@@ -6,8 +6,8 @@ use super::{DiskStructure, HotSpotKind, Scene};
 impl Scene {
     /// Whether something moves in the scene, so that its picture depends on `disk.time`.
     pub fn disk_moves(&self) -> bool {
-        let in_disk =
-            self.disk.structure != DiskStructure::None || self.drawn_hot_spot() != HotSpotKind::None;
+        let in_disk = self.disk.structure != DiskStructure::None
+            || self.drawn_hot_spot() != HotSpotKind::None;
         self.disk.enabled && in_disk || self.jets_move()
     }
 

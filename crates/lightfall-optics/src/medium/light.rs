@@ -79,10 +79,11 @@ impl Medium {
         })
     }
 
-    /// As [`Self::of`], without the disk's structure.
+    /// As [`Self::of`], without the disk's structure and the jets' knots.
     pub fn smooth(scene: &Scene, nodes: usize) -> Option<Self> {
         let mut smooth = scene.clone();
         smooth.disk.structure = DiskStructure::None;
+        smooth.jet.knots = 0.0;
         Self::of(&smooth, nodes)
     }
 
