@@ -104,7 +104,7 @@ fn knots_are_those_of_the_twin() {
         scene.jet.knots = 0.1;
         let uneven = light(&scene, [48, 40], 1e-4);
         let changes = smooth.iter().zip(&uneven).map(|(a, b)| [a[1], b[1]]);
-        let changed = quantile(&errors(&changes.collect::<Vec<_>>()), 0.5);
+        let changed = quantile(&errors(&changes.collect::<Vec<_>>()), 0.9);
         let errors = errors(&uneven);
         let [median, most] = [0.5, 0.95].map(|share| quantile(&errors, share));
         println!(

@@ -229,7 +229,14 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         let shows_errors = pictures && variant.view == View::Error;
         // Images of stars are found without rays.
         let traces = !shows_errors && !stars;
-        assert_eq!(source.contains("\nfn trace("), traces, "{variant:?}");
+        let through_matter = thick || jets;
+        let trace = traces && !through_matter;
+        assert_eq!(source.contains("\nfn trace("), trace, "{variant:?}");
+        assert_eq!(
+            source.contains("\nfn passage("),
+            through_matter,
+            "{variant:?}"
+        );
         assert_eq!(
             source.contains("var<uniform> errors"),
             shows_errors,
