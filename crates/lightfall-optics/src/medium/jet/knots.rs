@@ -207,11 +207,11 @@ fn waves(period: f64) -> [Wave; WAVES] {
         // From the first of two numbers to the second one, evenly in their logarithms.
         let spread = |from: f64, to: f64| from * (to / from).powf(share);
         let (period, about, along, across) = match kind {
-            // Fine filaments change four times as fast as broad ones. Two thirds are wound more than the
-            // streamlines, and the others less, so that they cross.
+            // Fine filaments change four times as fast as broad ones. They are wound more than the
+            // streamlines, at two slightly different pitches, so that they merge and part.
             0 => {
                 let about = spread(4.0, 30.0).round();
-                let wound = if i % 3 == 2 { -1.0 } else { 1.3 };
+                let wound = if i % 3 == 2 { 1.0 } else { 1.3 };
                 let along = about * (wound + 0.06 * normal());
                 (spread(400.0, 100.0), about, along, normal())
             }
