@@ -161,7 +161,8 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
     };
     let mut on_disk = 0.0;
     for i in 0..max_rays {
-        let enough = !scene.disk.enabled || on_disk >= ENOUGH_ON_DISK;
+        let shines = scene.disk.enabled || scene.jet.enabled;
+        let enough = !shines || on_disk >= ENOUGH_ON_DISK;
         if i >= RAYS && enough {
             break;
         }
@@ -180,7 +181,12 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
                 uncovered *= 1.0 - disk::cover(scene, hit.r);
             }
         }
-        let covered = 1.0 - uncovered;
+        let covered = if !scene.disk.enabled && light.max_element() > 0.0 {
+            // Nothing but jets shines, and they hide little.
+            1.0
+        } else {
+            1.0 - uncovered
+        };
         on_disk += covered;
         // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
         add(covered, light.max_element() / covered.max(1e-9));

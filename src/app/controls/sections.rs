@@ -158,7 +158,7 @@ pub const SECTIONS: &[Section] = sections! {
     folded "Method and quality" {
         "method" "Method" Plain;
         "quality.max_error_px" "Largest error" Logarithmic(1e-4, 1.0);
-        "quality.max_error_light" "Largest error of light" Logarithmic(1e-4, 1.0);
+        "quality.max_error_light" "Error of light" Logarithmic(1e-4, 1.0);
         "quality.step_scale" "Step size" Logarithmic(0.1, 16.0);
         "quality.max_steps" "Most steps" Logarithmic(64.0, 16384.0);
         "quality.max_affine" "Longest path" Logarithmic(10.0, 1e6);

@@ -43,8 +43,8 @@ fn one_preset_given_twice_is_refused() {
 
 #[test]
 fn the_error_about_an_unknown_preset_lists_the_presets() {
-    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring, 13 orion";
-    for given in ["14", "galaxy", "-1", ""] {
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring, 13 orion, 14 thick, 15 torus, 16 close-thick, 17 lanes, 18 jet";
+    for given in ["19", "galaxy", "-1", ""] {
         let sentence =
             format!("--preset {given}: there is no such preset or file; the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);

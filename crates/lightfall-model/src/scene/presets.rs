@@ -29,7 +29,7 @@ macro_rules! presets {
 }
 
 /// The presets in the order of their numbers.
-pub const PRESETS: [Preset; 13] = presets![
+pub const PRESETS: [Preset; 18] = presets![
     1 "telescope",
     2 "edge-on",
     3 "above",
@@ -43,6 +43,11 @@ pub const PRESETS: [Preset; 13] = presets![
     11 "flare",
     12 "ring",
     13 "orion",
+    14 "thick",
+    15 "torus",
+    16 "close-thick",
+    17 "lanes",
+    18 "jet",
 ];
 
 /// The preset with this number or name.
