@@ -39,7 +39,7 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
             "preset = \"nowhere\"".into(),
             "j.toml: preset = \"nowhere\" is refused: it must be the name or the number of a built-in preset: \
              1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, \
-             10 article, 11 flare, 12 ring, 13 orion",
+             10 article, 11 flare, 12 ring, 13 orion, 14 thick, 15 torus, 16 close-thick, 17 lanes, 18 jet",
         ),
         (
             two.into(),

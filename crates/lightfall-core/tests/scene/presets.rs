@@ -46,7 +46,7 @@ fn presets_are_numbered_from_one_and_found_by_number_and_name() {
         assert_eq!(find(&preset.number.to_string()), Some(preset));
         assert_eq!(find(preset.name), Some(preset));
     }
-    let none: Vec<Option<&Preset>> = ["0", "14", "02", "", "nothing"].map(find).to_vec();
+    let none: Vec<Option<&Preset>> = ["0", "19", "02", "", "nothing"].map(find).to_vec();
     assert_eq!(none, [None; 5]);
     assert_eq!(PRESETS[DEFAULT - 1].name, "edge-on");
 }
