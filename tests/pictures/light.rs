@@ -62,7 +62,9 @@ fn fall_of_preset_8() -> Vec<Scene> {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn bloom_lightens_no_shadow_and_the_fall_of_preset_8_is_neither_black_nor_white() {
+    // Matter with depth stands before the shadow.
     let presets = PRESETS.iter().map(|found| found.scene(&[]).unwrap());
+    let presets = presets.filter(|scene| !scene.has_medium());
     let fall = fall_of_preset_8().into_iter().step_by(3);
     let scenes = presets.map(|scene| (scene, false));
     let scenes = scenes.chain(fall.map(|scene| (scene, true)));

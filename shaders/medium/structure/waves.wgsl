@@ -166,7 +166,9 @@ fn matter_factors(way: Way, ends: vec2<f32>, places: array<Places, MEDIUM_BLOCKS
     let width = ends.y - ends.x;
     let first = curve_at(way.path, ends.x);
     let turns = turns_at(way, ends.x, first);
-    let delay = way.delay + crossing_delay(way.motion, way.step, way.h, ends.x, first.x);
+    // A chunk may begin beyond the outer edge, where nothing depends on the delay, and at u = 0 there is none.
+    let v = max(first.x, 0.5 / scene.disk.outer - way.motion.base);
+    let delay = way.delay + crossing_delay(way.motion, way.step, way.h, ends.x, v);
     var rates: array<Rates, MEDIUM_BLOCKS>;
     for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
         rates[i] = rates_at_nodes(way, ends.x + width * node_places[i], at[i]);
