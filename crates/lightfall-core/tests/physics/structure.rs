@@ -3,7 +3,7 @@
 
 use crate::assert_close;
 use crate::random::Random;
-use crate::structure_field::StructureField;
+use crate::structure_field::{StructureField, in_plane};
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::reference::Reference;
@@ -128,7 +128,7 @@ fn the_mean_by_squares_and_fourth_powers_is_that_of_bessels_function() {
         let mut worst = 0.0_f64;
         for (time, phi) in moments(2000) {
             let r = 3.0 * (11.0_f64 / 3.0).powf(phi / TAU);
-            let terms = structure.terms_at(r, phi, time, POINT);
+            let terms = structure.terms(&in_plane(r, phi, time), POINT);
             let value: f64 = terms.iter().map(|t| t.amplitude * t.phase.cos()).sum();
             let exact: f64 = terms
                 .iter()

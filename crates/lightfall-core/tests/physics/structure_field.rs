@@ -1,6 +1,6 @@
 //! The field of a disk without thickness, by radius, azimuth and time.
 
-use lightfall_core::optics::structure::{Covariance, Event, Field, Structure, Term};
+use lightfall_core::optics::structure::{Covariance, Event, Field, Structure};
 
 /// The field of a [`Structure`] in the disk's plane.
 pub(crate) trait StructureField {
@@ -10,12 +10,10 @@ pub(crate) trait StructureField {
 
     /// The field there.
     fn field_at(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Field;
-
-    /// The waves there, one by one.
-    fn terms_at(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Vec<Term>;
 }
 
-fn in_plane(r: f64, phi: f64, time: f64) -> Event {
+/// An event in the disk's plane.
+pub(crate) fn in_plane(r: f64, phi: f64, time: f64) -> Event {
     Event {
         r,
         phi,
@@ -32,9 +30,5 @@ impl StructureField for Structure {
 
     fn field_at(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Field {
         self.field(&in_plane(r, phi, time), footprint)
-    }
-
-    fn terms_at(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Vec<Term> {
-        self.terms(&in_plane(r, phi, time), footprint)
     }
 }
