@@ -10,6 +10,7 @@ mod answer;
 mod camera_tracer;
 mod delay;
 pub mod inspection;
+pub mod light;
 mod picture;
 mod ray;
 pub mod rays;
@@ -23,6 +24,7 @@ mod truth;
 
 pub use answer::{greater, hits, is_same_class};
 pub use delay::{DelayError, TimedRay};
+pub use light::{LightErrors, light_floor, true_passages};
 pub use picture::picture_errors;
 pub use ray::Ray;
 pub use sample::{

@@ -19,6 +19,7 @@ mod inputs;
 mod jet;
 pub mod kernel;
 mod medium;
+pub mod passages;
 mod presentation;
 pub mod rays;
 mod read_back;

@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Maximum number of rays of one dispatch. More could take a slow device so long that its driver
 /// resets it.
-const MAX_RAYS: usize = 1 << 15;
+pub(super) const MAX_RAYS: usize = 1 << 15;
 
 /// One crossing of the annulus, as shaders/trace.wgsl lays it out.
 #[expect(missing_docs, reason = "the shader says what each field means")]

@@ -1,6 +1,7 @@
 //! The structs of Rust and of WGSL that mirror each other: same members, same order, same offsets.
 
 use encase::ShaderType;
+use lightfall_core::gpu::passages::GpuPassage;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::stars::{
     GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, StarKernel, candidate_shader,
@@ -117,6 +118,10 @@ fn rust_and_wgsl_lay_out_the_scene_alike() {
 fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
     let module = parsed(Variant::rays(&Scene::default()).source());
     assert_same_layout!(&module, GpuHit = "Hit", GpuTrace = "Trace");
+    let mut scene = Scene::default();
+    scene.disk.thickness = 0.06;
+    let module = parsed(Variant::passages(&scene).source());
+    assert_same_layout!(&module, GpuPassage = "Passage");
 }
 
 #[test]

@@ -1,12 +1,8 @@
 //! Matter with depth on the GPU: its light against the converged f64 twin.
 
-use crate::light::light_from;
-use crate::{ALONG, gpu, pixel_directions, quantile};
-use glam::DVec3;
-use lightfall_core::gpu::kernel::uniform;
-use lightfall_core::gpu::{GpuScene, Inputs, Variant, bindings};
-use lightfall_core::optics::medium::{Medium, Tolerance};
-use lightfall_core::optics::reference::Reference;
+use crate::{gpu, pixel_directions, quantile};
+use lightfall_core::accuracy::{Ray, true_passages};
+use lightfall_core::gpu::passages::PassageKernel;
 use lightfall_core::scene::promises::MEDIUM_LIGHT;
 use lightfall_core::scene::{DiskStructure, ObserverKind, Scene, SkyMode, presets};
 
@@ -23,38 +19,26 @@ fn thick(spin: f64, [r, theta_deg]: [f64; 2], thickness: f64, depth: f64) -> Sce
     scene
 }
 
-/// The light of the GPU in these directions: the largest of red, green and blue.
-fn gpu_light(scene: &Scene, directions: &[DVec3]) -> Vec<f64> {
-    let source = Variant::timed_light(scene).source();
-    let mut uniforms = Inputs::new(scene).declared_in(&source);
-    uniforms.push((
-        bindings::SCENE,
-        uniform(&GpuScene::for_rays(scene).unwrap()),
-    ));
-    let given = directions
-        .iter()
-        .map(|direction| direction.as_vec3().extend(0.0));
-    let found = light_from(gpu(), &source, ALONG, &uniforms, given);
-    let largest = |light: glam::Vec4| f64::from(light.truncate().max_element());
-    found.into_iter().map(largest).collect()
-}
-
 /// The light of the GPU and of the converged twin on a grid of pixels: the largest of red, green and
 /// blue.
 pub(crate) fn light(scene: &Scene, size: [u32; 2], relative: f64) -> Vec<[f64; 2]> {
-    let directions = pixel_directions(scene, size[0], size[1]);
-    let found = gpu_light(scene, &directions);
-    let reference = Reference::new(scene).unwrap();
-    let medium = Medium::of(scene, 8).unwrap();
-    let tolerance = Tolerance {
-        relative,
-        end_depth: 20.0,
-    };
-    let truth = directions.iter().map(|direction| {
-        let photon = reference.photon(direction.normalize());
-        medium.seen(&photon, tolerance).light.max_element()
+    let camera_from_axes = scene.camera.tetrad_from_camera().transpose();
+    let directions = pixel_directions(scene, size[0], size[1]).into_iter();
+    let rays: Vec<_> = directions
+        .map(|direction| Ray::toward(camera_from_axes * direction))
+        .collect();
+    let given: Vec<_> = rays.iter().map(Ray::given).collect();
+    let kernel = PassageKernel::new(gpu(), scene).unwrap();
+    let found = kernel.passages(gpu(), scene, &given).unwrap();
+    let truth = true_passages(scene, &rays, relative).unwrap();
+    let pairs = found.iter().zip(&truth);
+    let largest = pairs.map(|(found, truth)| {
+        [
+            f64::from(found.light.max_element()),
+            truth.light.max_element(),
+        ]
     });
-    found.into_iter().zip(truth).map(<[f64; 2]>::from).collect()
+    largest.collect()
 }
 
 /// The errors of lit pixels, relative to the larger of the pixel's light and 1 % of the picture's 95th
@@ -130,12 +114,22 @@ fn no_ray_between_lit_ones_is_dark() {
     let mut scene = presets::find("thick").unwrap().scene(&[]).unwrap();
     scene.sky.mode = SkyMode::Off;
     (scene.camera.fov_deg, scene.camera.yaw_deg) = (1.0, -1.15);
-    let width = 480;
-    let light = gpu_light(&scene, &pixel_directions(&scene, width, 270));
-    let dark = |row: &[f64]| row[1] <= 0.0 && row[0] > 0.0 && row[2] > 0.0;
+    let (width, height) = (480, 270);
+    let camera_from_axes = scene.camera.tetrad_from_camera().transpose();
+    let directions = pixel_directions(&scene, width, height).into_iter();
+    let given: Vec<_> = directions
+        .map(|direction| Ray::toward(camera_from_axes * direction).given())
+        .collect();
+    let kernel = PassageKernel::new(gpu(), &scene).unwrap();
+    let found = kernel.passages(gpu(), &scene, &given).unwrap();
+    let light: Vec<f32> = found
+        .iter()
+        .map(|passage| passage.light.max_element())
+        .collect();
+    let dark = |row: &[f32]| !(row[1] > 0.0) && row[0] > 0.0 && row[2] > 0.0;
     let rows = light.chunks(width as usize);
-    let found: usize = rows
+    let count: usize = rows
         .map(|row| row.windows(3).filter(|three| dark(three)).count())
         .sum();
-    assert_eq!(found, 0);
+    assert_eq!(count, 0);
 }

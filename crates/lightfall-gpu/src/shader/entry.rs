@@ -19,6 +19,8 @@ pub enum Entry {
     Timed,
     /// The light of each pixel from a compute entry, for timing: entry point `timed`.
     TimedLight,
+    /// What reaches the camera through matter with depth, for single rays: entry point `passages`.
+    Passages,
     /// A kernel of point stars: its own entry point.
     Star(StarKernel),
 }
@@ -32,6 +34,7 @@ impl Entry {
             Self::Rays => &["rays"],
             Self::Timed => &["vertex", "timed", "fragment"],
             Self::TimedLight => &["timed"],
+            Self::Passages => &["passages"],
             Self::Star(kernel) => from_ref(&KERNELS[kernel as usize]),
         }
     }

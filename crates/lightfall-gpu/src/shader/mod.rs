@@ -247,6 +247,21 @@ impl Variant {
         }
     }
 
+    /// The shader that follows single rays through matter with depth.
+    pub fn passages(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Passages,
+            antialias: false,
+            sky: SkyMode::Off,
+            turned_sky: false,
+            reference_star: false,
+            ..Self::picture(&Scene {
+                view: View::Colour,
+                ..scene.clone()
+            })
+        }
+    }
+
     /// The picture's variant without anything that shines.
     fn tracing_only(scene: &Scene) -> Self {
         Self {
