@@ -11,7 +11,8 @@ use lightfall_core::numbers::counted;
 use lightfall_core::scene::Method;
 use lightfall_lab::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
-    markdown, matrix_work, measure_delays, measure_matrix,
+    markdown, matrix_work, matter_cells, matter_table, measure_delays, measure_matrix,
+    measure_matter,
 };
 use lightfall_platform::log::say;
 
@@ -51,6 +52,9 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         return Err(Stop::refused(
             "--delay measures closed and mino, and --methods names neither",
         ));
+    }
+    if args.medium {
+        return matter(args, &gpu);
     }
     say(
         "lightfall: extremes: finding the edges of the shadows; then the first cells will tell how long the rest takes",
@@ -125,6 +129,34 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     if unexplained > 0 {
         return Err(Stop::failed(format!(
             "hits whose delay is wrong for their place: {unexplained}"
+        )));
+    }
+    Ok(())
+}
+
+/// Measures the light of matter with depth, and prints and writes the report.
+fn matter(args: &ExtremesArgs, gpu: &Gpu) -> Result<(), Stop> {
+    let cells = matter_cells(args.rays as usize);
+    let work = cells.len() as f64;
+    let mut progress = Progress::new("extremes --medium", work, SAMPLE_SHARE * work);
+    let measured = measure_matter(gpu, &cells, |verdict| {
+        progress.advance(verdict.cell.clone(), 1.0);
+    });
+    progress.finish();
+    let verdicts = measured.map_err(Stop::failed)?;
+
+    let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
+    let text = ("md", &*matter_table(&verdicts));
+    publish(&args.report, "matter", &circumstances, &verdicts, text)?;
+    let failing = verdicts.iter().filter(|verdict| !verdict.holds).count();
+    say(format_args!(
+        "lightfall: matter with depth holds {} of {} cells",
+        verdicts.len() - failing,
+        verdicts.len()
+    ));
+    if failing > 0 {
+        return Err(Stop::failed(format!(
+            "cells that do not hold: {failing}; see the table"
         )));
     }
     Ok(())

@@ -10,7 +10,7 @@ use super::scene::device;
 use super::stop::Stop;
 use methods::bench_methods;
 use pictures::bench_pictures;
-use tables::{bench_delays, bench_light, bench_refinements};
+use tables::{bench_delays, bench_light, bench_medium, bench_refinements};
 
 /// Share of the work after which the time of the rest is estimated.
 const SAMPLE_SHARE: f64 = 0.1;
@@ -30,6 +30,7 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         BenchArgs { delay: true, .. } => bench_delays,
         BenchArgs { refine: true, .. } => bench_refinements,
         BenchArgs { light: true, .. } => bench_light,
+        BenchArgs { medium: true, .. } => bench_medium,
         _ => bench_methods,
     };
     run(args, &gpu, &plan)

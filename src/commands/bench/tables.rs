@@ -6,13 +6,15 @@ use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
+use glam::UVec2;
 use lightfall_core::gpu::{Gpu, GpuError};
 use lightfall_lab::bench::{
-    DelayMeasurement, LightMeasurement, Plan, RefinementMeasurement, delay_table, light_table,
-    refinement_table,
+    DelayMeasurement, LightMeasurement, MediumMeasurement, Plan, RefinementMeasurement,
+    delay_table, light_table, medium_table, refinement_table,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use wgpu::DeviceType;
 
 /// `lightfall bench --delay`: the error of the time between emission and arrival against the run
 /// time.
@@ -33,6 +35,25 @@ pub(super) fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<()
     let rows = plan.light_rows();
     bench_rows(kept, rows, task, light_table, |known, done| {
         plan.run_light(gpu, known, done)
+    })
+}
+
+/// Size of the picture whose light is timed on a software renderer.
+const SOFTWARE_SIZE: UVec2 = UVec2::new(480, 270);
+
+/// `lightfall bench --medium`: the error of light from matter with depth against the run time.
+pub(super) fn bench_medium(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let software = gpu.info.device_type == DeviceType::Cpu;
+    let mut plan = plan.clone();
+    if software && args.size.is_none() {
+        plan.size = plan.size.min(SOFTWARE_SIZE);
+    }
+    let kept = KeptRows::open(&args.report, "medium", circumstances_of(&plan, gpu));
+    let task =
+        |row: &MediumMeasurement| format!("{}, {}, {} nodes", row.scene, row.disk, row.nodes);
+    let rows = plan.medium_rows();
+    bench_rows(kept, rows, task, medium_table, |known, done| {
+        plan.run_medium(gpu, known, done)
     })
 }
 

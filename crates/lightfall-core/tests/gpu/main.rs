@@ -38,6 +38,7 @@ mod light;
 mod light_without_spin;
 mod limb;
 mod medium;
+mod medium_measurements;
 mod mino;
 #[path = "../physics/moved_camera.rs"]
 mod moved_camera;
@@ -51,6 +52,7 @@ mod projection;
 mod promises;
 #[path = "../physics/random.rs"]
 mod random;
+mod random_matter;
 mod random_scene;
 mod refine;
 mod refusals;

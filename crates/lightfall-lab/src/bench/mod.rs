@@ -6,6 +6,7 @@ mod labels;
 mod light;
 mod markdown;
 mod measurement;
+mod medium;
 mod pareto;
 mod pictures;
 mod plan;
@@ -20,6 +21,7 @@ pub use equal_error::{AtEqualError, at_equal_error};
 pub use light::{LightMeasurement, light_table};
 pub use markdown::{markdown, ratio_range};
 pub use measurement::Measurement;
+pub use medium::{MediumMeasurement, medium_table};
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
 pub use pictures::{
     PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, TRUE_SAMPLES,
