@@ -6,13 +6,16 @@
 const EMPTY: vec2<f32> = vec2<f32>(1.0, 0.0);
 
 // The share between two others at which a component of the curve, u or n_z, has a value: Newton's
-// method, with a bisection where a step leaves the bracket.
+// method, with a bisection where a step leaves the bracket. Where the value is found, the next step is
+// rounding, which may leave the bracket, too; so the step from the best place counts.
 fn share_of_value(path: Curve, component: vec4<f32>, value: f32, ends: vec2<f32>) -> f32 {
     var low = ends.x;
     var high = ends.y;
     let start = dot(component, curve_at(path, low)) - value;
     let end = dot(component, curve_at(path, high)) - value;
     var share = mix(low, high, clamp(start / select(start - end, TINY, start == end), 0.0, 1.0));
+    var best = share;
+    var least = abs(start) + abs(end);
     for (var i = 0u; i < MEDIUM_SEARCHES; i++) {
         let off = dot(component, curve_at(path, share)) - value;
         let before = (off > 0.0) == (start > 0.0);
@@ -20,9 +23,13 @@ fn share_of_value(path: Curve, component: vec4<f32>, value: f32, ends: vec2<f32>
         high = select(share, high, before);
         let slope = dot(component, curve_slope(path, share));
         let next = share - off / select(slope, TINY, slope == 0.0);
+        if abs(off) < least {
+            best = clamp(next, low, high);
+            least = abs(off);
+        }
         share = select(0.5 * (low + high), next, next > low && next < high);
     }
-    return share;
+    return best;
 }
 
 const RADIAL: vec4<f32> = vec4<f32>(1.0, 0.0, 0.0, 0.0);
