@@ -141,7 +141,12 @@ impl Medium {
     fn body_light(&self, place: &Place, lambda: f64, factor: f64) -> DVec3 {
         let g = self.shift_at(place.g, [place.r, place.cos_theta], lambda);
         let flux = self.profile.flux(place.r) * factor;
-        let colour = DVec3::from(spectrum::colour(g * temperature(&self.lit, flux)));
+        // As pictures have it: colours between the ends of the table, and none with negative light.
+        let seen = (g * temperature(&self.lit, flux)).clamp(
+            spectrum::TABLE_MIN_TEMPERATURE,
+            spectrum::TABLE_MAX_TEMPERATURE,
+        );
+        let colour = DVec3::from(spectrum::colour(seen)).max(DVec3::ZERO);
         colour * flux * self.shift.beaming_factor(g) * self.lit.brightness * DISK_HDR_SCALE
     }
 
