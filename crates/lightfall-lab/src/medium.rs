@@ -39,16 +39,15 @@ pub(super) struct TrueLight {
 }
 
 impl TrueLight {
-    /// The true light of `rays`, in a picture of which `picture` are rays. `None` if the scene has no
-    /// matter with depth.
+    /// The true light of `rays`. Their floor is that of the brighter of two pictures, these rays and those
+    /// of `picture`. `None` if the scene has no matter with depth.
     pub(super) fn of(scene: &Scene, rays: &[Ray], picture: &[Ray]) -> Option<Self> {
-        let lights = |passages: &[Passage]| light_floor(passages.iter().map(|seen| seen.light));
+        let floor_of = |passages: &[Passage]| light_floor(passages.iter().map(|seen| seen.light));
         let passages = true_passages(scene, rays, TRUE_TO)?;
-        let floor = if rays == picture {
-            lights(&passages)
-        } else {
-            lights(&true_passages(scene, picture, TRUE_TO)?)
-        };
+        let mut floor = floor_of(&passages);
+        if rays != picture {
+            floor = floor.max(floor_of(&true_passages(scene, picture, TRUE_TO)?));
+        }
         Some(Self { passages, floor })
     }
 
@@ -82,7 +81,7 @@ impl PassageKernels {
 }
 
 /// Counts of rays whose answer is no light, of rays that were given up, and the mean number of samples
-/// of a ray that has any.
+/// of a ray that has any; zero if none has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Soundness {
     pub(super) not_finite: usize,
@@ -97,7 +96,7 @@ impl Soundness {
         Self {
             not_finite: count(|seen| !seen.is_finite()),
             unfinished: count(GpuPassage::is_unfinished),
-            samples: f64::from(samples) / count(|seen| seen.samples > 0) as f64,
+            samples: f64::from(samples) / count(|seen| seen.samples > 0).max(1) as f64,
         }
     }
 }

@@ -64,7 +64,9 @@ impl Variant {
         match self.entry {
             Entry::Refine => "neighbours/lanes.wgsl",
             Entry::Picture if compared => "neighbours/pixels.wgsl",
-            Entry::TimedLight if self.structure && self.medium_nodes > 0 => "neighbours/fixed.wgsl",
+            Entry::TimedLight if self.has_medium() && (self.structure || self.knots) => {
+                "neighbours/fixed.wgsl"
+            }
             _ => "neighbours/none.wgsl",
         }
     }

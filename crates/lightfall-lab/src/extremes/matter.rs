@@ -10,9 +10,6 @@ use lightfall_model::numbers::short_number;
 use lightfall_model::scene::DiskStructure;
 use serde::{Deserialize, Serialize};
 
-/// Rays of the picture whose light is the floor of a cell's errors, where its own rays are others.
-const FLOOR_RAYS: usize = 256;
-
 /// The light of a cell.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct MatterVerdict {
@@ -26,8 +23,8 @@ pub struct MatterVerdict {
     pub unfinished: usize,
     /// Number of rays whose light is no finite number, or negative.
     pub not_finite: usize,
-    /// Error of the light, relative to the larger of the ray's light and a hundredth of the picture's
-    /// 95th percentile: its median. Absent for a disk with structure, whose filaments fall between the
+    /// Error of the light, relative to the larger of the ray's light and a hundredth of the 95th percentile
+    /// of the cell's rays or of the scene's picture, whichever is brighter: its median. Absent for a disk with structure, whose filaments fall between the
     /// nodes of single rays.
     #[serde(deserialize_with = "or_nan")]
     pub light_p50: f64,
@@ -83,7 +80,7 @@ fn verdict(
     } = Soundness::of(&found);
     let smooth = scene.disk.structure == DiskStructure::None;
     let truth = smooth.then(|| {
-        let picture = rays_over_picture(scene, rays.len().max(FLOOR_RAYS));
+        let picture = rays_over_picture(scene, rays.len());
         TrueLight::of(scene, rays, &picture)
     });
     let errors = truth.flatten().map(|truth| truth.errors(&found));

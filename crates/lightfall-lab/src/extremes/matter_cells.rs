@@ -8,9 +8,9 @@ use lightfall_model::scene::{DiskStructure, ObserverKind, Scene};
 
 const GROUP: &str = "matter with depth";
 
-/// How far from the rim of the matter tangent rays pass it, as angles of the camera in radians: up to a
-/// thousandth of the disk's half opening.
-const TANGENT: [f64; 2] = [1e-7, 1e-4];
+/// How far inside the rim of the matter tangent rays pass, as angles of the camera in radians: half of
+/// them within a thousandth of the disk's half opening.
+const TANGENT: [f64; 2] = [1e-6, 1e-2];
 
 /// Halvings that find the rim to f32's last digit.
 const HALVINGS: u32 = 40;
