@@ -166,7 +166,14 @@ fn the_articles_qualities_set_scale_and_budget_of_the_steps() {
 
 #[test]
 fn refining_is_a_measurement_of_its_own() {
-    for other in ["--delay", "--light", "--pictures", "--frames", "--size 9x9"] {
+    for other in [
+        "--delay",
+        "--light",
+        "--medium",
+        "--pictures",
+        "--frames",
+        "--size 9x9",
+    ] {
         let refused = refuse(&format!("lightfall bench --refine {other}"));
         assert_eq!(refused.kind(), ErrorKind::ArgumentConflict, "{other}");
     }
@@ -178,6 +185,10 @@ fn measurements_refuse_what_they_do_not_use() {
         "bench --light --rays 64",
         "extremes --hunt 9 --grid",
         "extremes --hunt 9 --delay",
+        "bench --medium --scenes 2",
+        "bench --medium --light",
+        "extremes --medium --methods mino",
+        "extremes --medium --grid",
     ] {
         let refused = refuse(&format!("lightfall {line}"));
         assert_eq!(refused.kind(), ErrorKind::ArgumentConflict, "{line}");

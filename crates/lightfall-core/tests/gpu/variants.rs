@@ -167,7 +167,11 @@ fn matter_with_depth() -> Vec<Variant> {
                     (SkyMode::Stars, LimbDarkening::ElectronScattering)
                 };
                 let picture = Variant::picture(&scene);
-                all.extend([picture, Variant::timed_light(&scene)]);
+                all.extend([
+                    picture,
+                    Variant::timed_light(&scene),
+                    Variant::passages(&scene),
+                ]);
                 all.extend(picture.refined());
                 all.extend(Variant::star_kernels(&scene));
             }

@@ -4,8 +4,8 @@ use crate::bench::Bench;
 use crate::measured::measured;
 use crate::render::{count, ratio, short, table as markdown};
 use lightfall_lab::bench::{
-    DelayMeasurement, LightMeasurement, PictureMeasurement, RefinementMeasurement, light_table,
-    pictures_table, ratio_range,
+    DelayMeasurement, LightMeasurement, MediumMeasurement, PictureMeasurement,
+    RefinementMeasurement, light_table, medium_table, pictures_table, ratio_range,
 };
 
 /// The scenes whose delays and whose light are shown.
@@ -121,6 +121,12 @@ pub fn light() -> Result<String, String> {
     let shown = |row: &LightMeasurement| ["closed", "mino"].contains(&row.method.as_str());
     rows.retain(|row| shown(row) && SHOWN.contains(&row.scene.as_str()));
     Ok(light_table(&rows))
+}
+
+/// The light of matter with depth.
+pub fn medium() -> Result<String, String> {
+    let rows = measured::<MediumMeasurement>("llvmpipe/medium")?.rows;
+    Ok(medium_table(&rows))
 }
 
 pub fn pictures() -> Result<String, String> {

@@ -2,7 +2,7 @@
 
 use crate::measured::{files, measured};
 use crate::render::{count, largest, median, ratio, short, table as markdown};
-use lightfall_lab::extremes::{CellDelays, HuntRow, Verdict};
+use lightfall_lab::extremes::{CellDelays, HuntRow, MatterVerdict, Verdict, matter_table};
 use lightfall_lab::import::Report;
 
 /// The methods of the matrix, as its rows name them. The first three answer every ray.
@@ -170,6 +170,12 @@ pub fn delays() -> Result<String, String> {
             ]
         }),
     ))
+}
+
+/// The cells of matter with depth.
+pub fn matter() -> Result<String, String> {
+    let rows = measured::<MatterVerdict>("llvmpipe/matter")?.rows;
+    Ok(matter_table(&rows))
 }
 
 /// The rays beyond their tolerance that each hunt found. A file lists its worst scenes, which are
