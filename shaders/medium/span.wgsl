@@ -102,10 +102,10 @@ fn span_in_annulus(path: Curve, base: f32, span: vec2<f32>) -> vec2<f32> {
     return part;
 }
 
-// How far inside the medium a place is: positive inside.
+// How far inside the medium a place between its edges is: positive inside.
 fn depth_inside(path: Curve, base: f32, share: f32) -> f32 {
     let y = curve_at(path, share);
-    let opening = half_opening(vec4<f32>(1.0 / max(base + y.x, TINY))).x;
+    let opening = opening_between_edges(vec4<f32>(1.0 / max(base + y.x, TINY))).x;
     return opening - abs(y.y);
 }
 

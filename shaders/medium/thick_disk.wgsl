@@ -1,7 +1,7 @@
 // A disk with thickness: where it is, how much it absorbs, and how it turns, at four places at once.
 // The twin in f64 is optics/medium/thick_disk.rs.
 //
-// Gives: half_opening, max_half_opening, opacity, rotation, thick_disk, vertical_depth.
+// Gives: half_opening, max_half_opening, opacity, opening_between_edges, rotation, thick_disk, vertical_depth.
 
 struct ThickDisk {
     // Half of the opening, as the cosine of the angle from the normal, where 1/r is inverse_pivot;
@@ -41,16 +41,22 @@ fn max_half_opening() -> f32 {
     return thick_disk.max_half_opening;
 }
 
-// Half of the disk's opening; zero outside its edges.
-fn half_opening(r: vec4<f32>) -> vec4<f32> {
+// Half of the disk's opening between its edges. Beyond an edge it is that of the edge, so that a ray at
+// the edge counts as inside whatever the last digit of its radius.
+fn opening_between_edges(r: vec4<f32>) -> vec4<f32> {
     let x = clamp(scene.disk.inner / max(r, vec4<f32>(TINY)), vec4<f32>(0.0), vec4<f32>(1.0));
     let height = EDGE_HEIGHT + (1.0 - EDGE_HEIGHT) * (1.0 - x * sqrt(x)) * outer_cover(r);
     var flare = vec4<f32>(1.0);
     if thick_disk.flare != 0.0 {
         flare = exp2(thick_disk.flare * log2(max(r * thick_disk.inverse_pivot, vec4<f32>(TINY))));
     }
+    return thick_disk.half_opening * height * flare;
+}
+
+// The same; zero outside the edges.
+fn half_opening(r: vec4<f32>) -> vec4<f32> {
     let between = r > vec4<f32>(scene.disk.inner) & r < vec4<f32>(scene.disk.outer);
-    return select(vec4<f32>(0.0), thick_disk.half_opening * height * flare, between);
+    return select(vec4<f32>(0.0), opening_between_edges(r), between);
 }
 
 // Optical depth along the normal.
