@@ -126,7 +126,9 @@ fn no_ray_between_lit_ones_is_dark() {
         .iter()
         .map(|passage| passage.light.max_element())
         .collect();
-    let dark = |row: &[f32]| !(row[1] > 0.0) && row[0] > 0.0 && row[2] > 0.0;
+    // A light that is no number is not lit.
+    let is_lit = |light: f32| light > 0.0;
+    let dark = |row: &[f32]| !is_lit(row[1]) && is_lit(row[0]) && is_lit(row[2]);
     let rows = light.chunks(width as usize);
     let count: usize = rows
         .map(|row| row.windows(3).filter(|three| dark(three)).count())
