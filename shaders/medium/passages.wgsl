@@ -5,12 +5,12 @@
 
 // Unit looking directions; the fourth component is padding.
 @group(0) @binding(BINDING_INPUT) var<storage, read> directions: array<vec4<f32>>;
-@group(0) @binding(BINDING_OUTPUT) var<storage, read_write> found: array<Passage>;
+@group(0) @binding(BINDING_OUTPUT) var<storage, read_write> rays_passages: array<Passage>;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn passages(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= arrayLength(&directions) || id.x >= arrayLength(&found) {
+    if id.x >= arrayLength(&directions) || id.x >= arrayLength(&rays_passages) {
         return;
     }
-    found[id.x] = passage(photon_from(directions[id.x].xyz));
+    rays_passages[id.x] = passage(photon_from(directions[id.x].xyz));
 }
