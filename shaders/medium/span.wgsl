@@ -157,7 +157,7 @@ fn deepest(path: Curve, base: f32, span: vec2<f32>) -> vec2<f32> {
         if bend >= 0.0 || best.y > 0.0 {
             break;
         }
-        let share = best.x + 0.5 * width * (left - right) / bend;
+        let share = clamp(best.x + 0.5 * width * (left - right) / bend, span.x, span.y);
         let place = vec2<f32>(share, depth_inside(path, base, share));
         if place.y > best.y {
             best = place;
