@@ -125,7 +125,7 @@ pub fn light() -> Result<String, String> {
 
 /// The light of matter with depth.
 pub fn medium() -> Result<String, String> {
-    let rows = measured::<MediumMeasurement>("llvmpipe/medium")?.rows;
+    let rows = measured::<MediumMeasurement>("h200/medium")?.rows;
     Ok(medium_table(&rows))
 }
 
