@@ -33,8 +33,10 @@ fn smooth_fade(share: vec4<f32>) -> vec4<f32> {
     return s * s * (3.0 - 2.0 * s);
 }
 
+// A fade narrower than f32 resolves is a wall, which has its whole height up to the edge.
 fn outer_cover(r: vec4<f32>) -> vec4<f32> {
-    return smooth_fade((scene.disk.outer - r) / max(thick_disk.outer_fade, 1e-6));
+    let fades = thick_disk.outer_fade > 1e-5 * scene.disk.outer;
+    return select(vec4<f32>(1.0), smooth_fade((scene.disk.outer - r) / max(thick_disk.outer_fade, 1e-6)), fades);
 }
 
 fn max_half_opening() -> f32 {
