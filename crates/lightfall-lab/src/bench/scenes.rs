@@ -12,8 +12,9 @@ pub struct BenchScene {
     pub scene: Scene,
 }
 
-/// The scenes that are measured by default: the presets, without the one that is about a method and
-/// without those of straight rays, which every method traces alike.
+/// The scenes that are measured by default: the presets, without the one that is about a method,
+/// without those of straight rays, which every method traces alike, and without those of matter with
+/// depth, which one method traces and `lightfall bench --medium` measures.
 /// The opening preset comes without spin, so that every method can trace it, and once more as it
 /// is.
 pub fn scenes() -> Vec<BenchScene> {
@@ -27,7 +28,8 @@ pub fn scenes() -> Vec<BenchScene> {
         if preset == opening {
             scene.hole.spin = 0.0;
         }
-        let is_measured = scene.method == Method::Auto && scene.effects.lensing;
+        let is_measured =
+            scene.method == Method::Auto && scene.effects.lensing && !scene.has_medium();
         is_measured.then(|| named(preset.name, &scene))
     });
     let spinning = format!("{}-spinning", opening.name);
