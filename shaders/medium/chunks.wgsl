@@ -117,7 +117,12 @@ fn add_disk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Ph
             place = i + 1u;
         }
         if stop > start {
-            add_chunk(result, way, orbit, photon, vec2<f32>(start, stop));
+            let parts = parts_of_chunk();
+            let part = (stop - start) / f32(parts);
+            for (var i = 0u; i < parts; i++) {
+                let ends = vec2<f32>(start + part * f32(i), select(start + part * f32(i + 1u), stop, i + 1u == parts));
+                add_chunk(result, way, orbit, photon, ends);
+            }
         }
         if (*result).transmission < MIN_TRANSMISSION || place >= DENSITIES {
             return;

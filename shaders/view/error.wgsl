@@ -7,13 +7,6 @@
 
 @group(0) @binding(BINDING_ERROR_MAP) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;
 
-// The colour at a position in 0..1. Lightness grows linearly, so that the scale can also be read
-// without its hues.
-fn scale_colour(position: f32) -> vec3<f32> {
-    let t = position;
-    return from_oklab(0.30 + 0.65 * t, 0.04 + t * (0.32 * t - 0.42), -0.13 + t * (0.09 + 0.22 * t));
-}
-
 fn light_at(place: vec2<f32>) -> vec4<f32> {
     let grid = vec2<f32>(f32(ERROR_COLUMNS), f32(ERROR_ROWS));
     let cell = vec2<u32>(clamp((place + scene.picture.origin) / scene.picture.whole * grid, vec2<f32>(0.0), grid - 1.0));
@@ -28,6 +21,5 @@ fn light_at(place: vec2<f32>) -> vec4<f32> {
     if error >= UNEXPLAINED {
         return mark(MAGENTA);
     }
-    let position = 0.25 * LOG10_2 * log2(max(error, 1e-4)) + 1.0;
-    return mark(scale_colour(clamp(position, 0.0, 1.0)));
+    return mark(error_colour(error));
 }

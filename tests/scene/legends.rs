@@ -55,13 +55,13 @@ fn colours(view: View) -> &'static [&'static str] {
         ],
         View::Steps => &[
             "vec3<f32>(0.0)",
-            "steps_colour(4.0)",
-            "steps_colour(8.0)",
-            "steps_colour(16.0)",
-            "steps_colour(32.0)",
-            "steps_colour(64.0)",
-            "steps_colour(128.0)",
-            "steps_colour(256.0)",
+            "count_colour(4.0)",
+            "count_colour(8.0)",
+            "count_colour(16.0)",
+            "count_colour(32.0)",
+            "count_colour(64.0)",
+            "count_colour(128.0)",
+            "count_colour(256.0)",
             "MAGENTA",
         ],
         View::Error => &[
@@ -73,6 +73,34 @@ fn colours(view: View) -> &'static [&'static str] {
             "MAGENTA",
             "vec3<f32>(0.0)",
             "vec3<f32>(0.05)",
+        ],
+        View::Depth => &[
+            "vec3<f32>(0.0)",
+            "depth_colour(0.01)",
+            "depth_colour(0.1)",
+            "depth_colour(1.0)",
+            "depth_colour(5.0)",
+            "MAGENTA",
+        ],
+        View::Samples => &[
+            "vec3<f32>(0.0)",
+            "count_colour(4.0)",
+            "count_colour(8.0)",
+            "count_colour(16.0)",
+            "count_colour(32.0)",
+            "count_colour(64.0)",
+            "count_colour(128.0)",
+            "count_colour(256.0)",
+            "MAGENTA",
+        ],
+        View::LightError => &[
+            "scale_colour(0.0)",
+            "scale_colour(0.25)",
+            "scale_colour(0.5)",
+            "scale_colour(0.75)",
+            "scale_colour(1.0)",
+            "vec3<f32>(0.0)",
+            "MAGENTA",
         ],
     }
 }
@@ -89,11 +117,14 @@ fn every_view_has_a_legend_in_its_shaders_own_colours() {
             continue;
         }
         assert_eq!(swatches.len(), wanted.len(), "{view:?}");
-        let scene = Scene {
+        let mut scene = Scene {
             view,
             method: Method::Verlet,
             ..Scene::default()
         };
+        if view.shows_matter() {
+            (scene.method, scene.disk.thickness) = (Method::Auto, 0.06);
+        }
         let source = Variant::picture(&scene).source();
         let expression = format!(
             "vec4<f32>(array<vec3<f32>, {}>({})[u32(given.x)], 0.0)",

@@ -109,12 +109,15 @@ fn add_jet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Pho
     var nodes = JET_NODES;
     var light = vec3<f32>(0.0);
     for (var piece = 0u; piece < 3u; piece++) {
-        let width = ends[piece + 1u] - ends[piece];
+        let parts = parts_of_chunk();
+        let width = (ends[piece + 1u] - ends[piece]) / f32(parts);
         if width > 1e-6 {
-            for (var i = 0u; i < JET_NODE_COUNT; i++) {
-                light += jet_light(way, orbit, photon, ends[piece] + width * nodes[i].x, width * nodes[i].y);
+            for (var i = 0u; i < parts * JET_NODE_COUNT; i++) {
+                let node = nodes[i % JET_NODE_COUNT];
+                let start = ends[piece] + width * f32(i / JET_NODE_COUNT);
+                light += jet_light(way, orbit, photon, start + width * node.x, width * node.y);
             }
-            (*result).samples += JET_NODE_COUNT;
+            (*result).samples += parts * JET_NODE_COUNT;
         }
     }
     (*result).light += ((*result).transmission * jet.brightness) * light;

@@ -1,10 +1,18 @@
 // Matter with depth: a disk with thickness.
 //
-// Gives: add_step, is_within_matter.
+// Gives: add_step, brightest_light, is_within_matter.
 
 // Whether no matter lies between a place and the hole.
 fn is_within_matter(u: f32) -> bool {
     return u * scene.disk.inner >= 1.0;
+}
+
+// The largest flux of a disk, in the unit of its brightness.
+const DISK_PEAK: f32 = 0.057;
+
+// About the light of the brightest place, as matter beside it sees it.
+fn brightest_light() -> f32 {
+    return DISK_PEAK * scene.disk.brightness;
 }
 
 // Adds what a ray meets in the first `end` of a step.

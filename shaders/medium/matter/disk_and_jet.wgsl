@@ -4,7 +4,7 @@
 // common part is divided in four, and in each of these the jets' light passes through half of the disk's
 // depth. For a depth d of such a quarter this is wrong by d^2/24 of the jets' light there.
 //
-// Gives: add_step, is_within_matter.
+// Gives: add_step, brightest_light, is_within_matter.
 
 // Parts into which the common part is divided.
 const COMMON_PARTS: f32 = 4.0;
@@ -20,6 +20,14 @@ fn is_within_matter(u: f32) -> bool {
 fn next_mark(after: f32, marks: vec2<f32>, nearest: f32) -> f32 {
     let first = select(nearest, min(nearest, marks.x), marks.x > after);
     return select(first, min(first, marks.y), marks.y > after);
+}
+
+// The largest flux of a disk, in the unit of its brightness.
+const DISK_PEAK: f32 = 0.057;
+
+// About the light of the brightest place, as matter beside it sees it.
+fn brightest_light() -> f32 {
+    return max(DISK_PEAK * scene.disk.brightness, jet.brightness);
 }
 
 // Adds what a ray meets in the first `end` of a step, in its order.

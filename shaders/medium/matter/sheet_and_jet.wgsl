@@ -1,11 +1,19 @@
 // Matter with depth: jets, and between them a disk without thickness, which a ray meets where it crosses
 // the plane.
 //
-// Gives: add_step, is_within_matter.
+// Gives: add_step, brightest_light, is_within_matter.
 
 // Whether no matter lies between a place and the hole.
 fn is_within_matter(u: f32) -> bool {
     return u * min(jet.base, scene.disk.inner) >= 1.0;
+}
+
+// The largest flux of a disk, in the unit of its brightness.
+const DISK_PEAK: f32 = 0.057;
+
+// About the light of the brightest place, as matter beside it sees it.
+fn brightest_light() -> f32 {
+    return max(DISK_PEAK * scene.disk.brightness, jet.brightness);
 }
 
 // Adds what a ray meets in the first `end` of a step: the jets before the plane, the disk, and the jets

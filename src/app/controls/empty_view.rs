@@ -18,6 +18,9 @@ pub fn why_empty(view: View, scene: &Scene) -> Option<&'static str> {
             Some("This method solves for rays instead of stepping along them: no ray takes a step.")
         }
         View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
+        _ if view.shows_matter() && !scene.has_medium() => {
+            Some("No matter with depth: the disk has no thickness, and there are no jets.")
+        }
         _ => None,
     }
 }

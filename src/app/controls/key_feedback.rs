@@ -111,12 +111,13 @@ fn hides_light(control: &Control, view: View) -> bool {
         Content::Light => false,
         Content::Shift => control.id == "light.beaming",
         Content::Rays => true,
+        Content::Matter => !view.needs_light(),
     }
 }
 
 /// The control that leaves a view for the light.
 fn view_key(view: View) -> Option<&'static str> {
-    let id = format!("view.{}", view.word());
+    let id = format!("view.{}", view.word().replace('-', "_"));
     control_named(&id).map(|control| control.id)
 }
 

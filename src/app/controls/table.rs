@@ -113,6 +113,9 @@ pub const CONTROLS: &[Control] = controls! {
         "view.steps" [Semicolon] _ Edit(Show(View::Steps));
         "view.redshift" [KeyR] _ Edit(Show(View::Redshift));
         "view.error" [Quote] _ Edit(Show(View::Error));
+        "view.depth" Shift + [KeyB] _ Edit(Show(View::Depth));
+        "view.samples" Shift + [Semicolon] _ Edit(Show(View::Samples));
+        "view.light_error" Shift + [Quote] _ Edit(Show(View::LightError));
     }
     Picture {
         "picture.bloom" [F5, End] "bloom" Edit(SwitchOff("picture.bloom", &Value::Float(0.0)));

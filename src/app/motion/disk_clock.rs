@@ -101,7 +101,7 @@ pub(crate) fn status(
         ClockDriver::Flight => format!("Disk's clock {time}"),
         ClockDriver::EndOfFall => format!("Disk's clock stands at {time}: the fall is over"),
         ClockDriver::Pause => format!("Disk's clock paused at {time} · {pause} goes on"),
-        ClockDriver::Window if scene.view.shows_light() => {
+        ClockDriver::Window if scene.shows_sources() => {
             let rate = match units {
                 Units::Hole => four_digits(scene.disk.rate),
                 Units::Everyday(_) => units.time(scene.disk.rate, four_digits),

@@ -199,7 +199,14 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         }
         let sheet = jets && variant.disk && !thick;
         assert_eq!(source.contains("fn add_sheet"), sheet, "{variant:?}");
-        let light = matches!(variant.view, View::Colour | View::Unfinished);
+        let through_matter = thick || jets;
+        let light = match variant.view {
+            View::Colour | View::Unfinished => true,
+            View::LightError => through_matter,
+            // The disk's light comes with the crossing that dims what is behind it.
+            View::Depth | View::Samples => sheet,
+            _ => false,
+        };
         let stars = matches!(
             variant.entry,
             Entry::Star(StarKernel::Solve | StarKernel::Interpolate)
@@ -228,8 +235,8 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         // The view `error` shows what the CPU has computed and traces nothing.
         let shows_errors = pictures && variant.view == View::Error;
         // Images of stars are found without rays.
-        let traces = !shows_errors && !stars;
-        let through_matter = thick || jets;
+        let shows_nothing = pictures && variant.view.shows_matter() && !through_matter;
+        let traces = !shows_errors && !stars && !shows_nothing;
         let trace = traces && !through_matter;
         assert_eq!(source.contains("\nfn trace("), trace, "{variant:?}");
         assert_eq!(

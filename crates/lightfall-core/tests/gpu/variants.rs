@@ -174,6 +174,12 @@ fn matter_with_depth() -> Vec<Variant> {
                 ]);
                 all.extend(picture.refined());
                 all.extend(Variant::star_kernels(&scene));
+                all.extend(View::ALL.map(|view| {
+                    Variant::picture(&Scene {
+                        view,
+                        ..scene.clone()
+                    })
+                }));
             }
         }
     }

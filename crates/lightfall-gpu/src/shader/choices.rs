@@ -93,10 +93,11 @@ impl Variant {
         } else {
             "stars/dim.wgsl"
         };
-        let emission = if self.entry == Entry::Star(StarKernel::Dim) {
-            "medium/emission/none.wgsl"
-        } else {
+        let shines = self.entry != Entry::Star(StarKernel::Dim) && self.view.needs_light();
+        let emission = if shines {
             "medium/emission/thermal.wgsl"
+        } else {
+            "medium/emission/none.wgsl"
         };
         let own = [
             dim,
@@ -141,7 +142,12 @@ impl Variant {
         } else {
             ["medium/structure/none.wgsl", "medium/sheet/smooth.wgsl"]
         };
-        vec![matter, differential, knots, disk, sheet]
+        let chunks = if self.view == View::LightError {
+            "medium/chunks/divided.wgsl"
+        } else {
+            "medium/chunks/whole.wgsl"
+        };
+        vec![matter, differential, knots, disk, sheet, chunks]
     }
 
     /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the
@@ -181,8 +187,12 @@ impl Variant {
             View::Unfinished => View::Colour,
             view => view,
         };
-        let folder = if self.has_medium() { "medium" } else { "view" };
-        let mut files = vec![file(folder, view.word())];
+        let file = match (self.has_medium(), view.shows_matter()) {
+            (true, _) => file("medium", view.word()),
+            (false, true) => "view/no_matter.wgsl".into(),
+            (false, false) => file("view", view.word()),
+        };
+        let mut files = vec![file];
         if view.properties().traces {
             files.push("view/traced.wgsl".into());
         }

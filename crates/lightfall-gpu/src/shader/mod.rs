@@ -125,6 +125,8 @@ impl Variant {
     pub fn picture(scene: &Scene) -> Self {
         let tracer = Tracer::of(scene);
         let marks = !scene.view.shows_light();
+        let dark = !scene.shows_sources();
+        let shows_nothing = scene.view.shows_matter() && !scene.has_medium();
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         // The largest transmission: one where the edges fade.
         let transmission = if scene.disk.edge_taper > 0.0 {
@@ -132,14 +134,15 @@ impl Variant {
         } else {
             scene.disk.transmission
         };
-        let lit = scene.disk.enabled && !marks;
+        let lit = scene.disk.enabled && !dark;
+        let shines = lit && scene.view.needs_light();
         let structure = lit && scene.disk.structure != DiskStructure::None;
         let hot_spot = if lit {
             scene.drawn_hot_spot()
         } else {
             HotSpotKind::None
         };
-        let knots = !marks && scene.jets_move();
+        let knots = !dark && scene.jets_move();
         let needs_delay = structure
             || knots
             || hot_spot != HotSpotKind::None
@@ -150,8 +153,8 @@ impl Variant {
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: passes_near_horizon(tracer, scene),
-            disk: scene.disk.enabled && scene.view.properties().traces,
-            disk_model: if lit {
+            disk: scene.disk.enabled && scene.view.properties().traces && !shows_nothing,
+            disk_model: if shines {
                 scene.disk.model
             } else {
                 DiskModel::default()
@@ -164,13 +167,13 @@ impl Variant {
             } else {
                 0
             },
-            jet_nodes: if !marks && scene.jet.enabled {
+            jet_nodes: if !dark && scene.jet.enabled {
                 jet_nodes(scene.quality.max_error_light)
             } else {
                 0
             },
             knots,
-            limb: if lit {
+            limb: if shines {
                 scene.disk.limb
             } else {
                 LimbDarkening::None
@@ -183,7 +186,7 @@ impl Variant {
             view: scene.view,
             // Brightness has no meaning for marks.
             effects: Effects {
-                beaming: scene.effects.beaming || marks,
+                beaming: scene.effects.beaming || dark,
                 ..scene.effects
             },
             max_hits: if !marks && scene.disk.enabled && transmission <= MIN_TRANSMISSION {

@@ -50,6 +50,12 @@ impl Variant {
                         (scene.jet.enabled, scene.jet.knots) = (enabled, knots);
                     });
                 }
+                for view in View::ALL {
+                    add(&|scene| {
+                        (scene.view, scene.disk.thickness) = (view, thickness);
+                        (scene.jet.enabled, scene.jet.knots) = (enabled, knots);
+                    });
+                }
             }
             add(&|scene| scene.sky.reference_star = true);
             add(&|scene| scene.effects.lensing = false);

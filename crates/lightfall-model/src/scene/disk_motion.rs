@@ -14,7 +14,7 @@ impl Scene {
     /// Whether the picture shows that motion. Views of rays and of shifts show no light of the
     /// disk, and do not depend on `disk.time`.
     pub fn shows_disk_motion(&self) -> bool {
-        self.disk_moves() && self.view.shows_light()
+        self.disk_moves() && self.shows_sources()
     }
 
     /// The scene with the default `disk.time`, so that two scenes compare equal if only the disk's

@@ -73,6 +73,15 @@ fn shows_no_light(scene: &Scene) -> bool {
     !scene.view.shows_light()
 }
 
+fn shows_no_source(scene: &Scene) -> bool {
+    !scene.shows_sources()
+}
+
+/// Whether the view shows where matter with depth is, and not how it shines.
+fn shows_no_shine(scene: &Scene) -> bool {
+    scene.view.shows_matter() && !scene.view.needs_light()
+}
+
 fn shows_rays(scene: &Scene) -> bool {
     scene.view.properties().content == Content::Rays
 }
@@ -142,6 +151,19 @@ const JET_LIGHT: &[&str] = &[
     "jet.length",
     "jet.knots",
     "jet.colour",
+];
+/// How bright matter is, and in which colours.
+const SHINE: &[&str] = &[
+    "disk.temperature_k",
+    "disk.brightness",
+    "disk.model",
+    "disk.limb",
+    "disk.returning",
+    "disk.keep_accretion",
+    "jet.brightness",
+    "jet.colour",
+    "effects.doppler",
+    "effects.gravitational_shift",
 ];
 /// What else changes light and no ray.
 const OTHER_LIGHT: &[&str] = &[
@@ -240,9 +262,13 @@ pub(super) const RULES: &[Rule] = &[
         |scene| !scene.effects.aberration && !scene.effects.doppler,
         "motion neither displaces nor shifts light", "effects.aberration=true"),
 
-    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, PERIOD, HOT_SPOT, OTHER_LIGHT,
-        SCREEN, &["jet."]], PICTURES, shows_no_light,
+    rule(&[DISK_LIGHT, THICKNESS, &["disk.thickness"], STRUCTURE, CLOCK, PERIOD, HOT_SPOT, &["jet."]],
+        PICTURES, shows_no_source, "this view shows no light", "view=colour"),
+    rule(&[SHINE], PICTURES, shows_no_shine, "this view shows no light", "view=colour"),
+    rule(&[OTHER_LIGHT, SCREEN], PICTURES, shows_no_light,
         "this view shows no light", "view=colour"),
+    value_rule(&[&["view"]], PICTURES, |scene| scene.view.shows_matter() && !scene.has_medium(),
+        "there is no matter with depth", "disk.thickness=0.06"),
     rule(&[&["effects.doppler", "effects.gravitational_shift"]], PICTURES, shows_rays,
         "this view shows no light", "view=colour"),
     rule(&[&["disk.rate"]], &[Still, Linear], always, "a single picture shows one moment", ""),

@@ -41,6 +41,12 @@ impl Scene {
         enabled && knots > 0.0 && brightness > 0.0
     }
 
+    /// Whether the picture depends on how disk and jets shine and absorb: it shows light, or what
+    /// matter with depth does to it.
+    pub fn shows_sources(&self) -> bool {
+        self.view.shows_light() || self.view.shows_matter() && self.has_medium()
+    }
+
     /// What `auto` means: the method with the smallest error at its speed (docs/ACCURACY.md) among
     /// those that can trace the scene.
     pub fn best_method(&self) -> Method {

@@ -21,6 +21,12 @@ crate::words! {
         Steps = "steps": "Steps",
         /// Difference from the reference, in pixels.
         Error = "error": "Error",
+        /// Optical depth of the matter on each ray.
+        Depth = "depth": "Optical depth",
+        /// How many places of the matter each ray asks for their light.
+        Samples = "samples": "Samples of the matter",
+        /// How much the light of the matter changes with twice the samples.
+        LightError = "light-error": "Error of the light",
     }
 }
 
@@ -33,6 +39,8 @@ pub enum Content {
     Shift,
     /// A property of the rays, whatever light they carry.
     Rays,
+    /// What matter with depth does to the rays, or how well its light is computed.
+    Matter,
 }
 
 /// A colour of a view as its shader has it (linear sRGB), and its meaning.
@@ -76,6 +84,12 @@ const LIGHT: ViewProperties = ViewProperties {
 /// What views of rays have in common.
 const RAYS: ViewProperties = ViewProperties {
     content: Content::Rays,
+    ..LIGHT
+};
+
+/// What views of matter with depth have in common.
+const MATTER: ViewProperties = ViewProperties {
+    content: Content::Matter,
     ..LIGHT
 };
 
@@ -192,11 +206,67 @@ impl View {
                 traces: false,
                 ..RAYS
             },
+            Self::Depth => ViewProperties {
+                words: "optical depth",
+                legend: "Optical depth of the matter along each ray",
+                swatches: &[
+                    (BLACK, "no matter"),
+                    ([0.0022, 0.0108, 0.0672], "0.01 or less"),
+                    ([0.0682, 0.1465, 0.1859], "0.1"),
+                    ([0.3733, 0.4992, 0.4540], "1"),
+                    (
+                        [0.8530, 0.9053, 0.8279],
+                        "5 or more: nothing is seen behind",
+                    ),
+                    (MAGENTA, "unfinished"),
+                ],
+                ..MATTER
+            },
+            Self::Samples => ViewProperties {
+                words: "samples of the matter",
+                legend: "Places of the matter that each ray asks for their light",
+                swatches: &[
+                    (BLACK, "none"),
+                    ([0.0200, 0.0029, 0.0729], "4 or fewer"),
+                    ([0.1139, 0.0127, 0.0927], "8"),
+                    ([0.2946, 0.0343, 0.1159], "16"),
+                    ([0.5366, 0.0914, 0.1450], "32"),
+                    ([0.7844, 0.2188, 0.1857], "64"),
+                    ([0.9592, 0.4607, 0.2474], "128"),
+                    ([0.9642, 0.8686, 0.3441], "256 or more"),
+                    (MAGENTA, "unfinished"),
+                ],
+                ..MATTER
+            },
+            Self::LightError => ViewProperties {
+                words: "error of the light",
+                legend: "Change of the matter's light with twice the samples, as a share of it",
+                swatches: &[
+                    ([0.0273, 0.0090, 0.1511], "1e-4 or less"),
+                    ([0.0080, 0.1104, 0.2716], "1e-3"),
+                    ([0.0246, 0.3181, 0.3356], "1e-2"),
+                    ([0.2431, 0.6151, 0.2757], "0.1"),
+                    ([0.9615, 0.9322, 0.0480], "1 or more"),
+                    (BLACK, "no matter"),
+                    (MAGENTA, "unfinished"),
+                ],
+                ..MATTER
+            },
         }
     }
 
     /// Whether the view shows the light of disk and sky, and not the colours of marks.
     pub const fn shows_light(self) -> bool {
         matches!(self.properties().content, Content::Light)
+    }
+
+    /// Whether the view needs to know how bright sources are.
+    pub const fn needs_light(self) -> bool {
+        self.shows_light() || matches!(self, Self::LightError)
+    }
+
+    /// Whether the view shows what matter with depth does to rays.
+    pub const fn shows_matter(self) -> bool {
+        matches!(self.properties().content, Content::Matter)
     }
 }

@@ -1,9 +1,11 @@
 //! The light of a disk with thickness on the way of a ray.
 
+use super::emission::{Emission, Emitter, Rates};
 use super::nodes::Nodes;
+use super::passage::Passage;
 use super::spans::{Span, spans};
 use super::thick_disk::ThickDisk;
-use super::transfer::{Emission, Emitter, Filling, Passage, Tolerance};
+use super::transfer::{Filling, Tolerance};
 use crate::reference::HoleAndDisk;
 use glam::DVec3;
 use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
@@ -55,7 +57,7 @@ impl<M: Fn(&Place, &Emission) -> Matter> Emitter for DiskMatter<'_, M> {
         spans(&inside, &self.disk.radii(), series, length)
     }
 
-    fn rates(&self, at: &Emission) -> (DVec3, f64) {
+    fn rates(&self, at: &Emission) -> Rates {
         let (series, constants) = (at.series(), at.constants);
         let (r, cos_theta) = (series.u.at(at.time).0.recip(), series.n[2].at(at.time).0);
         let [omega, u_t] = self.disk.rotation(r, cos_theta);
@@ -69,7 +71,11 @@ impl<M: Fn(&Place, &Emission) -> Matter> Emitter for DiskMatter<'_, M> {
         let matter = (self.matter)(&place, at);
         let length = emitted * self.disk.kerr.sigma(r, cos_theta);
         let rate = self.disk.opacity(r, cos_theta) * matter.density * length;
-        (rate * place.source * matter.light, rate)
+        Rates {
+            light: rate * place.source * matter.light,
+            depth: rate,
+            g: place.g,
+        }
     }
 }
 
@@ -92,6 +98,7 @@ impl ThickDisk {
             },
             emitters: vec![&disk],
             sheet: None,
+            with_means: false,
         };
         filling.passage(constants, start, nodes, tolerance)
     }

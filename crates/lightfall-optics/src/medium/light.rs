@@ -1,11 +1,14 @@
 //! The light of a scene's matter with depth.
 
 use super::disk_matter::{DiskMatter, Matter, Place};
+use super::emission::{Emission, Emitter};
 use super::jet::{FieldPlace, Jet, JetMatter, JetPlace, Knots};
 use super::nodes::Nodes;
+use super::passage::Passage;
 use super::sheet::Sheet;
+use super::stretches::{MatterKind, Stretch, stretches};
 use super::thick_disk::ThickDisk;
-use super::transfer::{Emission, Emitter, Filling, Passage, Tolerance};
+use super::transfer::{Filling, Piece, Tolerance};
 use crate::camera_rays::camera_in_disk_frame;
 use crate::disk::{Profile, lit, temperature};
 use crate::photometry::DISK_HDR_SCALE;
@@ -90,6 +93,40 @@ impl Medium {
     /// The light in linear sRGB that reaches the camera as this photon, given in the disk's frame,
     /// and the optical depth of its way.
     pub fn seen(&self, photon: &Photon, tolerance: Tolerance) -> Passage {
+        self.passage(photon, tolerance, false)
+    }
+
+    /// As [`Self::seen`], with the means of where the light comes from.
+    pub fn seen_with_means(&self, photon: &Photon, tolerance: Tolerance) -> Passage {
+        self.passage(photon, tolerance, true)
+    }
+
+    fn passage(&self, photon: &Photon, tolerance: Tolerance, with_means: bool) -> Passage {
+        let mut passage = Passage::default();
+        self.follow(photon, tolerance, with_means, |piece| {
+            passage = passage.followed_by(piece.passage);
+        });
+        passage
+    }
+
+    /// The stretches of the ray's way on which there is matter, from the camera on.
+    pub fn stretches(&self, photon: &Photon, tolerance: Tolerance) -> Vec<Stretch> {
+        let mut kinds = Vec::new();
+        kinds.extend(self.disk.as_ref().map(|_| MatterKind::Disk));
+        kinds.extend(self.jet.as_ref().map(|_| MatterKind::Jets));
+        let mut pieces = Vec::new();
+        self.follow(photon, tolerance, true, |piece| pieces.push(piece));
+        stretches(pieces, &kinds)
+    }
+
+    /// Follows the ray of a photon, piece by piece.
+    fn follow(
+        &self,
+        photon: &Photon,
+        tolerance: Tolerance,
+        with_means: bool,
+        meet: impl FnMut(Piece),
+    ) {
         let (constants, start) = PhotonConstants::of_photon(self.way.kerr, photon, self.r, self.n);
         let lambda = constants.angular_momentum / constants.energy;
         let disk = self.disk.as_ref().map(|disk| DiskMatter {
@@ -117,8 +154,9 @@ impl Medium {
             way: self.way,
             emitters,
             sheet: sheet.as_ref().map(|sheet| sheet as _),
+            with_means,
         };
-        filling.passage(&constants, start, &self.nodes, tolerance)
+        filling.follow(&constants, start, &self.nodes, tolerance, meet);
     }
 
     /// The factors by which the structure multiplies the flux and the density.

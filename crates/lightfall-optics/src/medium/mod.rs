@@ -8,19 +8,27 @@
 //! the frequency is the same for all observers.
 
 mod disk_matter;
+mod emission;
 pub mod jet;
 mod light;
+mod means;
 mod nodes;
+mod passage;
 mod sheet;
 mod source;
 mod spans;
+mod stretches;
 mod thick_disk;
 mod transfer;
 
 pub use disk_matter::{Matter, Place};
+pub use emission::Emission;
 pub use light::Medium;
+pub use means::Means;
 pub use nodes::Nodes;
+pub use passage::Passage;
 pub use source::{emission_scale, scattering_source};
 pub use spans::Span;
+pub use stretches::{MatterKind, Stretch};
 pub use thick_disk::{Shape, ThickDisk};
-pub use transfer::{Emission, Passage, Tolerance};
+pub use transfer::Tolerance;

@@ -1,6 +1,6 @@
 //! A disk without thickness among matter with depth: what a ray meets where it crosses the plane.
 
-use super::transfer::Emission;
+use super::emission::{Emission, Rates};
 use crate::disk::{self, Profile, lit, temperature};
 use crate::limb::Limb;
 use crate::photometry::DISK_HDR_SCALE;
@@ -40,9 +40,9 @@ impl Sheet {
         })
     }
 
-    /// The light of a crossing of the plane for this photon at the camera, and the disk's optical
-    /// depth.
-    pub fn crossed(&self, photon: &Photon, at: &Emission) -> (DVec3, f64) {
+    /// What the disk does to the ray of this photon at the camera where it crosses the plane; `None`
+    /// outside of the disk's edges.
+    pub fn crossed(&self, photon: &Photon, at: &Emission) -> Option<Rates> {
         let crossing = at.series().at(at.time);
         let r = crossing.u.recip();
         let hit = self.way.hit(at.constants, &crossing);
@@ -50,9 +50,7 @@ impl Sheet {
             .way
             .annulus
             .is_some_and(|[inner, outer]| r > inner && r < outer);
-        let Some(hit) = hit.filter(|_| inside) else {
-            return (DVec3::ZERO, 0.0);
-        };
+        let hit = hit.filter(|_| inside)?;
         let scene = &self.scene;
         let factor = self.structure.as_ref().map_or(1.0, |structure| {
             let event = Event {
@@ -69,7 +67,10 @@ impl Sheet {
         let (flux, lit) = (self.profile.flux(r) * factor, lit(scene));
         let scale = flux * self.shift.beaming_factor(g) * self.limb.factor(photon, r);
         let colour = DVec3::from(spectrum::colour(g * temperature(&lit, flux)));
-        let light = colour * scale * lit.brightness * DISK_HDR_SCALE * disk::cover(scene, r);
-        (light, -disk::transmission(scene, r).ln())
+        Some(Rates {
+            light: colour * scale * lit.brightness * DISK_HDR_SCALE * disk::cover(scene, r),
+            depth: -disk::transmission(scene, r).ln(),
+            g: hit.g,
+        })
     }
 }

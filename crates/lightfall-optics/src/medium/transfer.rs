@@ -1,55 +1,14 @@
 //! The light that comes through matter, along one ray.
 
+use super::emission::{Emission, Emitter, Rates};
+use super::means::Sums;
 use super::nodes::Nodes;
+use super::passage::Passage;
 use super::spans::Span;
 use crate::delay::Lag;
 use crate::reference::{self, HoleAndDisk, time_to_plane};
-use glam::DVec3;
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
-
-/// A place on the way of a ray. Where and when light left it cost more than the place itself.
-pub struct Emission<'a> {
-    pub(super) kerr: Kerr,
-    pub(super) constants: &'a PhotonConstants,
-    lag: &'a Lag<'a>,
-    step: &'a reference::Step<'a>,
-    /// Mino time since the start of the step.
-    pub(super) time: f64,
-}
-
-impl Emission<'_> {
-    /// The motion from the start of the step on.
-    pub(super) fn series(&self) -> &PhotonSeries {
-        self.step.expansion
-    }
-
-    /// Boyer-Lindquist azimuth, in radians, of any number of turns.
-    pub fn azimuth(&self) -> f64 {
-        let state = self.step.expansion.at(self.time);
-        let lead = if self.constants.ingoing {
-            self.kerr.ingoing_azimuth_lead(1.0 / state.u)
-        } else {
-            0.0
-        };
-        state.n.y.atan2(state.n.x) + state.chi - lead
-    }
-
-    /// Time from the emission to the arrival at the camera, in r_s/c: [`Lag`].
-    pub fn lag(&self) -> f64 {
-        self.lag.at(self.step, self.time)
-    }
-}
-
-/// Matter with depth, which emits light or absorbs it.
-pub(super) trait Emitter {
-    /// The spans of a step of this length inside the matter, in the order of the backward ray. Within
-    /// each of them its light is smooth.
-    fn spans(&self, series: &PhotonSeries, length: f64) -> Vec<Span>;
-
-    /// The light that a place emits, and its optical depth, for each unit of Mino time.
-    fn rates(&self, at: &Emission) -> (DVec3, f64);
-}
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonState};
 
 /// What fills the space around a hole.
 pub(super) struct Filling<'a> {
@@ -57,17 +16,24 @@ pub(super) struct Filling<'a> {
     pub way: HoleAndDisk,
     /// The matter with depth.
     pub emitters: Vec<&'a dyn Emitter>,
-    /// The light of a sheet in the plane where a ray crosses it, and the optical depth of the sheet.
-    pub sheet: Option<&'a dyn Fn(&Emission) -> (DVec3, f64)>,
+    /// What a sheet in the plane does to a ray that crosses it; `None` where there is no sheet at
+    /// the crossing.
+    pub sheet: Option<&'a dyn Fn(&Emission) -> Option<Rates>>,
+    /// Whether passages say where their light comes from.
+    pub with_means: bool,
 }
 
-/// What reaches the camera along a ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passage {
-    /// The light of the medium.
-    pub light: DVec3,
-    /// The optical depth of the whole way.
-    pub depth: f64,
+/// A piece of a ray's way: what it met there, from the camera on.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// Mino times since the camera at which it begins and ends.
+    pub times: [f64; 2],
+    /// The radii, in r_s, and the heights above the plane, in r_s, of its ends.
+    pub ends: [[f64; 2]; 2],
+    /// The indices of the emitters in it; none in a sheet.
+    pub emitters: Vec<usize>,
+    /// What it does to the ray.
+    pub passage: Passage,
 }
 
 /// How well light is integrated.
@@ -97,6 +63,8 @@ struct Step<'a> {
     step: &'a reference::Step<'a>,
     lag: &'a Lag<'a>,
     nodes: &'a Nodes,
+    /// Mino time at its start.
+    start: f64,
 }
 
 impl Filling<'_> {
@@ -109,14 +77,27 @@ impl Filling<'_> {
         nodes: &Nodes,
         tolerance: Tolerance,
     ) -> Passage {
+        let mut passage = Passage::default();
+        self.follow(constants, start, nodes, tolerance, |piece| {
+            passage = passage.followed_by(piece.passage);
+        });
+        passage
+    }
+
+    /// As [`Self::passage`], piece by piece.
+    pub fn follow(
+        &self,
+        constants: &PhotonConstants,
+        start: PhotonState,
+        nodes: &Nodes,
+        tolerance: Tolerance,
+        mut meet: impl FnMut(Piece),
+    ) {
         let kerr = self.way.kerr;
-        let mut passage = Passage {
-            light: DVec3::ZERO,
-            depth: 0.0,
-        };
+        let (mut depth, mut time) = (0.0, 0.0);
         let mut lag = Lag::new(kerr, constants, &start);
         self.way.follow_to_inner_edge(constants, start, |step| {
-            if passage.depth > tolerance.end_depth {
+            if depth > tolerance.end_depth {
                 return;
             }
             let step_way = Step {
@@ -125,40 +106,47 @@ impl Filling<'_> {
                 step,
                 lag: &lag,
                 nodes,
+                start: time,
             };
-            passage = step_way.followed(passage, self, tolerance.relative);
+            step_way.follow(self, tolerance.relative, &mut |piece| {
+                depth += piece.passage.depth;
+                meet(piece);
+            });
             lag.add(step);
+            time += step.length;
         });
-        passage
     }
 }
 
-impl Passage {
-    /// This part of a ray's way, and the next one behind it.
-    fn followed_by(self, next: Self) -> Self {
-        Self {
-            light: self.light + (-self.depth).exp() * next.light,
-            depth: self.depth + next.depth,
-        }
-    }
+/// The emitters of a span.
+struct MatterThere<'a> {
+    emitters: Vec<&'a dyn Emitter>,
+    with_means: bool,
+}
 
-    /// Whether another result for the same way agrees.
-    fn agrees(&self, other: &Self, relative: f64) -> bool {
-        let size = self.light.abs().max_element();
-        let light = (self.light - other.light).abs().max_element() <= relative * size;
-        let depth = (self.depth - other.depth).abs() <= relative * self.depth.max(1.0);
-        light && depth
+impl MatterThere<'_> {
+    /// What a place does to a ray, for each unit of Mino time.
+    fn sample(&self, at: &Emission) -> Passage {
+        let mut sample = Passage::default();
+        for emitter in &self.emitters {
+            let Rates { light, depth, g } = emitter.rates(at);
+            sample.light += light;
+            sample.depth += depth;
+            if self.with_means {
+                sample.sums = sample.sums + Sums::of(light, &at.place(g));
+            }
+        }
+        sample
     }
 }
 
 impl Step<'_> {
-    /// A passage, and what it meets in this step.
-    fn followed(&self, mut passage: Passage, filling: &Filling, relative: f64) -> Passage {
+    /// Gives the pieces of this step in their order.
+    fn follow(&self, filling: &Filling, relative: f64, meet: &mut impl FnMut(Piece)) {
         let (series, length) = (self.step.expansion, self.step.length);
         let emitters = filling.emitters.iter();
-        let all_spans: Vec<_> = emitters.map(|e| (*e, e.spans(series, length))).collect();
-        let spans = all_spans.iter().flat_map(|(_, spans)| spans);
-        let mut marks: Vec<f64> = spans.flatten().copied().collect();
+        let all_spans: Vec<_> = emitters.map(|e| e.spans(series, length)).collect();
+        let mut marks: Vec<f64> = all_spans.iter().flatten().flatten().copied().collect();
         let crossing = filling.sheet.and_then(|sheet| {
             let end = series.at(length).n.z;
             Some((sheet, time_to_plane(series, end, length)?))
@@ -172,27 +160,54 @@ impl Step<'_> {
                 && time == *from
                 && !repeated
             {
-                let (light, depth) = sheet(&self.emission(time));
-                passage = passage.followed_by(Passage { light, depth });
+                let at = self.emission(time);
+                if let Some(rates) = sheet(&at) {
+                    let sums = if filling.with_means {
+                        Sums::of(rates.light, &at.place(rates.g))
+                    } else {
+                        Sums::default()
+                    };
+                    let passage = Passage {
+                        light: rates.light,
+                        depth: rates.depth,
+                        sums,
+                    };
+                    meet(self.piece([time; 2], Vec::new(), passage));
+                }
             }
             let Some(to) = marks.get(i + 1).filter(|to| *to > from) else {
                 continue;
             };
             let middle = 0.5 * (from + to);
-            let within = |span: &&Span| span[0] <= middle && middle <= span[1];
-            let there: Vec<_> = all_spans
-                .iter()
-                .filter(|(_, spans)| spans.iter().any(|span| within(&span)))
-                .map(|(emitter, _)| *emitter)
-                .collect();
+            let within = |span: &Span| span[0] <= middle && middle <= span[1];
+            let spans = all_spans.iter().enumerate();
+            let there = spans.filter(|(_, spans)| spans.iter().any(within));
+            let there: Vec<usize> = there.map(|(index, _)| index).collect();
             if !there.is_empty() {
+                let matter = MatterThere {
+                    emitters: there.iter().map(|index| filling.emitters[*index]).collect(),
+                    with_means: filling.with_means,
+                };
                 let span = [*from, *to];
-                let whole = self.chunk(&there, span);
-                let piece = self.refined(&there, span, whole, relative, MAX_HALVINGS);
-                passage = passage.followed_by(piece);
+                let whole = self.chunk(&matter, span);
+                let passage = self.refined(&matter, span, whole, relative, MAX_HALVINGS);
+                meet(self.piece(span, there, passage));
             }
         }
-        passage
+    }
+
+    /// The piece between two times of this step.
+    fn piece(&self, times: [f64; 2], emitters: Vec<usize>, passage: Passage) -> Piece {
+        let end = |time| {
+            let state = self.step.expansion.at(time);
+            [state.u.recip(), state.n.z / state.u]
+        };
+        Piece {
+            times: times.map(|time| self.start + time),
+            ends: times.map(end),
+            emitters,
+            passage,
+        }
     }
 
     fn emission(&self, time: f64) -> Emission<'_> {
@@ -206,35 +221,36 @@ impl Step<'_> {
     }
 
     /// The light of a span, by the nodes.
-    fn chunk(&self, emitters: &[&dyn Emitter], [from, to]: Span) -> Passage {
+    fn chunk(&self, matter: &MatterThere, [from, to]: Span) -> Passage {
         let length = to - from;
-        let sample = |place: &f64| {
-            let at = self.emission(from + length * place);
-            let rates = emitters.iter().map(|emitter| emitter.rates(&at));
-            rates.fold((DVec3::ZERO, 0.0), |sum, (light, depth)| {
-                (sum.0 + light, sum.1 + depth)
-            })
-        };
-        let samples: Vec<(DVec3, f64)> = self.nodes.places.iter().map(sample).collect();
+        let places = self.nodes.places.iter();
+        let samples: Vec<Passage> = places
+            .map(|place| matter.sample(&self.emission(from + length * place)))
+            .collect();
         let depth_by = |weights: &[f64]| {
             let terms = weights.iter().zip(&samples);
-            length * terms.map(|(weight, (_, rate))| weight * rate).sum::<f64>()
+            length
+                * terms
+                    .map(|(weight, sample)| weight * sample.depth)
+                    .sum::<f64>()
         };
-        let mut light = DVec3::ZERO;
-        let rows = self.nodes.partial.iter().zip(&self.nodes.weights);
-        for ((partial, weight), (emitted, _)) in rows.zip(&samples) {
-            light += (-depth_by(partial)).exp() * weight * length * *emitted;
-        }
-        Passage {
-            light,
+        let mut passage = Passage {
             depth: depth_by(&self.nodes.weights),
+            ..Passage::default()
+        };
+        let rows = self.nodes.partial.iter().zip(&self.nodes.weights);
+        for ((partial, weight), sample) in rows.zip(&samples) {
+            let share = (-depth_by(partial)).exp() * weight * length;
+            passage.light += share * sample.light;
+            passage.sums = passage.sums + share * sample.sums;
         }
+        passage
     }
 
     /// The light of a span whose chunk is `whole`, halved until the halves agree with it.
     fn refined(
         &self,
-        emitters: &[&dyn Emitter],
+        matter: &MatterThere,
         [from, to]: Span,
         whole: Passage,
         relative: f64,
@@ -242,12 +258,12 @@ impl Step<'_> {
     ) -> Passage {
         let middle = 0.5 * (from + to);
         let [near, far] = [[from, middle], [middle, to]];
-        let [first, second] = [near, far].map(|span| self.chunk(emitters, span));
+        let [first, second] = [near, far].map(|span| self.chunk(matter, span));
         let halves = first.followed_by(second);
         if halvings == 0 || whole.agrees(&halves, relative) {
             return halves;
         }
-        let first = self.refined(emitters, near, first, relative, halvings - 1);
-        first.followed_by(self.refined(emitters, far, second, relative, halvings - 1))
+        let first = self.refined(matter, near, first, relative, halvings - 1);
+        first.followed_by(self.refined(matter, far, second, relative, halvings - 1))
     }
 }

@@ -1,9 +1,11 @@
 //! The light of jets on the way of a ray.
 
 use super::Jet;
+use crate::medium::emission::{Emission, Emitter, Rates};
 use crate::medium::nodes::Nodes;
+use crate::medium::passage::Passage;
 use crate::medium::spans::{Span, spans};
-use crate::medium::transfer::{Emission, Emitter, Filling, Passage, Tolerance};
+use crate::medium::transfer::{Filling, Tolerance};
 use crate::reference::HoleAndDisk;
 use glam::DVec3;
 use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
@@ -31,7 +33,7 @@ impl<L: Fn(&JetPlace, &Emission) -> DVec3> Emitter for JetMatter<'_, L> {
         spans(&inside, &self.jet.radii(), series, length)
     }
 
-    fn rates(&self, at: &Emission) -> (DVec3, f64) {
+    fn rates(&self, at: &Emission) -> Rates {
         let ((u, du), (cos_theta, dz)) = (at.series().u.at(at.time), at.series().n[2].at(at.time));
         let r = u.recip();
         let constants = [at.constants.energy, at.constants.angular_momentum];
@@ -43,7 +45,11 @@ impl<L: Fn(&JetPlace, &Emission) -> DVec3> Emitter for JetMatter<'_, L> {
         };
         let length = slowing * self.jet.kerr.sigma(r, cos_theta);
         let emitted = self.jet.emissivity(r, cos_theta) * length;
-        (emitted * (self.light)(&place, at), 0.0)
+        Rates {
+            light: emitted * (self.light)(&place, at),
+            depth: 0.0,
+            g: place.g,
+        }
     }
 }
 
@@ -66,6 +72,7 @@ impl Jet {
             },
             emitters: vec![&matter],
             sheet: None,
+            with_means: false,
         };
         filling.passage(constants, start, nodes, tolerance)
     }
