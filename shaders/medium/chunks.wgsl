@@ -78,8 +78,9 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
             share = mix(own * exp(-max(width * to_node, vec4<f32>(0.0))), share, in_order);
         }
         passed += dot(own, vec4<f32>(1.0));
-        let light = emission(photon, at, share, factors[i].flux, orbit.scale / at.slowing);
-        (*result).light += (*result).transmission * light;
+        let shares = ends.x + width * node_places[i];
+        let arriving = (*result).transmission * share;
+        (*result).light += emission(way, shares, photon, at, arriving, factors[i].flux, orbit.scale / at.slowing);
     }
     (*result).transmission *= exp(-depth);
     (*result).samples += MEDIUM_NODES;

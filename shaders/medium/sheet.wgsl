@@ -35,6 +35,8 @@ fn add_sheet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
     var record = empty_trace();
     add_hit(&record, vec3<f32>(r * toward, 0.0), photon.energy, orbit.lambda, delay);
     let footprint = sheet_footprint(way, share, y, record.hits[0].position);
-    (*result).light += (*result).transmission * disk_light(photon, record.hits[0], footprint);
+    let arriving = (*result).transmission * disk_light(photon, record.hits[0], footprint);
+    weigh(way, share, r, 0.0, record.hits[0].g, arriving);
+    (*result).light += arriving;
     (*result).transmission *= disk_transmission(r);
 }

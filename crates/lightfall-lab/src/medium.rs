@@ -71,12 +71,12 @@ impl PassageKernels {
         scene: &Scene,
         rays: &[Ray],
     ) -> Result<Vec<GpuPassage>, GpuError> {
-        let given: Vec<_> = rays.iter().map(Ray::given).collect();
-        let kernel = match self.0.entry(Variant::passages(scene)) {
+        let given = rays.iter().map(Ray::given);
+        let kernel = match self.0.entry(Variant::passages(scene, false)) {
             Entry::Occupied(known) => known.into_mut(),
             Entry::Vacant(new) => new.insert(PassageKernel::new(gpu, scene)?),
         };
-        kernel.passages(gpu, scene, &given)
+        kernel.passages(gpu, scene, given)
     }
 }
 

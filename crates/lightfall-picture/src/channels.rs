@@ -1,6 +1,7 @@
 //! The data of a picture's rays: the channels that an EXR picture can have in addition to light.
 
 use glam::{DVec2, Vec3};
+use lightfall_core::gpu::passages::{GivenRay, GpuPassage, PassageKernel};
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::{Gpu, GpuError, Variant};
 use lightfall_core::optics::disk;
@@ -48,8 +49,30 @@ enum Value {
     Number(fn(&TracedRay) -> Option<f64>),
     /// An integer of that ray.
     Count(fn(&Trace) -> u32),
+    /// A number of what the matter with depth does to that ray, if it has one.
+    Matter(fn(&Passed) -> Option<f64>),
     /// The foreground's depth.
     Depth,
+}
+
+/// What matter with depth does to a pixel's ray.
+struct Passed<'a> {
+    passage: &'a GpuPassage,
+    /// Whether the camera is outside of the horizon, where delays can be stated.
+    outside: bool,
+}
+
+impl Passed<'_> {
+    /// One of the means of where its light comes from.
+    fn mean(&self, of: usize) -> Option<f64> {
+        let lit = self.passage.luminance > 0.0;
+        lit.then(|| f64::from(self.passage.means[of]))
+    }
+
+    fn depth(&self) -> f64 {
+        // No negative zero where nothing absorbs.
+        0.0 - f64::from(self.passage.transmission).ln()
+    }
 }
 
 /// The trace of a ray, and the disk that it may meet.
@@ -86,7 +109,7 @@ macro_rules! channels {
 }
 
 /// Every channel in addition to R, G, B and A.
-pub const CHANNELS: [Channel; 17] = channels![
+pub const CHANNELS: [Channel; 25] = channels![
     "sky_direction.X" "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
         "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
     "sky_direction.Y" "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
@@ -110,6 +133,21 @@ pub const CHANNELS: [Channel; 17] = channels![
     "steps.Y" "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
     "residual.Y" "residual" Number |seen| Some(seen.trace.residual),
         "largest normalized residual of the null constraint along the ray; zero in closed form";
+    "medium_transmission.Y" "medium.T" Matter |seen| Some(seen.passage.transmission.into()),
+        "share of the light from behind that comes through the matter with depth; 1 without any";
+    "medium_depth.Y" "medium.tau" Matter |seen| Some(seen.depth()),
+        "optical depth of the matter along the ray; where a ray ends because nothing comes through, the depth up to there";
+    "medium_radius.Y" "medium.r" Matter |seen| seen.mean(0),
+        "radius from which the light of the matter comes, in r_s: a mean, weighted by luminance";
+    "medium_height.Y" "medium.z" Matter |seen| seen.mean(1),
+        "height r cos(theta) above the disk's plane from which the light comes, in r_s: a mean";
+    "medium_shift.Y" "medium.g" Matter |seen| seen.mean(2), "observed over emitted frequency of this light: a mean";
+    "medium_delay.Y" "medium.t" Matter |seen| seen.mean(3).filter(|_| seen.outside),
+        "time from the emission of this light to its arrival, in r_s/c: a mean; missing for a camera at or inside the horizon";
+    "medium_samples.Y" "medium.samples" Matter |seen| Some(seen.passage.samples.into()),
+        "places of the matter that the ray asked for their light";
+    "medium_error.Y" "medium.error" Matter |seen| Some(seen.passage.error.into()),
+        "change of the matter's light with twice the samples, as a share of it";
 ];
 
 /// A list of channels without duplicates, in the order of [`CHANNELS`].
@@ -166,8 +204,9 @@ const BATCH: usize = 1 << 15;
 #[derive(Debug)]
 pub struct PixelRays {
     gpu: Gpu,
-    /// The shader of the last scene. The next scene often needs the same one.
+    /// The shaders of the last scene. The next scene often needs the same ones.
     kernel: Option<(Variant, RayKernel)>,
+    passage_kernel: Option<(Variant, PassageKernel)>,
 }
 
 impl PixelRays {
@@ -179,6 +218,7 @@ impl PixelRays {
         Ok(Self {
             gpu: Gpu::headless()?,
             kernel: None,
+            passage_kernel: None,
         })
     }
 
@@ -195,14 +235,19 @@ impl PixelRays {
     ) -> Result<Vec<Vec<f32>>, GpuError> {
         let pixels = scene.picture.width as usize * scene.picture.height as usize;
         let mut samples = vec![Vec::with_capacity(pixels); channels.list().len()];
-        let traced = channels
-            .list()
-            .iter()
-            .any(|channel| !matches!(channel.value, Value::Depth));
+        let any = |is: fn(&Value) -> bool| channels.list().iter().any(|c| is(&c.value));
+        let traced = any(|value| matches!(value, Value::Number(_) | Value::Count(_)));
+        let passed = any(|value| matches!(value, Value::Matter(_)));
+        let outside = scene.camera.r > scene.kerr().horizon();
         for first in (0..pixels).step_by(BATCH) {
             let batch = first..pixels.min(first + BATCH);
             let traces = if traced {
                 self.trace(scene, batch.clone())?
+            } else {
+                Vec::new()
+            };
+            let passages = if passed {
+                self.passages(scene, batch.clone())?
             } else {
                 Vec::new()
             };
@@ -222,6 +267,10 @@ impl PixelRays {
                     Value::Count(count) => {
                         samples.extend(traces.iter().map(|trace| count(trace) as f32));
                     }
+                    Value::Matter(number) => samples.extend(passages.iter().map(|passage| {
+                        number(&Passed { passage, outside })
+                            .map_or(f32::NAN, |number| number as f32)
+                    })),
                     Value::Depth => samples.extend(&depth[batch.clone()]),
                 }
             }
@@ -240,15 +289,44 @@ impl PixelRays {
             Some((known, kernel)) if known == variant => kernel,
             _ => RayKernel::new(&self.gpu, scene)?,
         };
-        let size = scene.picture.size().as_dvec2();
-        let width = scene.picture.width as usize;
-        let centre =
-            |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;
         let rays: Vec<Vec3> = pixels
-            .map(|pixel| scene.camera.looking(centre(pixel), size).as_vec3())
+            .map(|pixel| direction_at(scene, pixel, DVec2::ZERO))
             .collect();
         let traces = kernel.trace_camera_rays(&self.gpu, scene, &rays);
         self.kernel = Some((variant, kernel));
         traces
     }
+
+    /// What matter with depth does to the rays of a range of pixels, numbered along the rows.
+    fn passages(
+        &mut self,
+        scene: &Scene,
+        pixels: std::ops::Range<usize>,
+    ) -> Result<Vec<GpuPassage>, GpuError> {
+        if !scene.has_medium() {
+            return Ok(vec![GpuPassage::without_matter(); pixels.len()]);
+        }
+        let variant = Variant::passages(scene, true);
+        let kernel = match self.passage_kernel.take() {
+            Some((known, kernel)) if known == variant => kernel,
+            _ => PassageKernel::of_pixels(&self.gpu, scene)?,
+        };
+        let rays = pixels.map(|pixel| GivenRay {
+            direction: direction_at(scene, pixel, DVec2::ZERO),
+            right: direction_at(scene, pixel, DVec2::X),
+            below: direction_at(scene, pixel, DVec2::Y),
+        });
+        let passages = kernel.passages(&self.gpu, scene, rays);
+        self.passage_kernel = Some((variant, kernel));
+        passages
+    }
+}
+
+/// The direction of a place beside the centre of a pixel, as (right, up, forward). Pixels are numbered
+/// along the rows.
+fn direction_at(scene: &Scene, pixel: usize, beside: DVec2) -> Vec3 {
+    let width = scene.picture.width as usize;
+    let corner = DVec2::new((pixel % width) as f64, (pixel / width) as f64);
+    let size = scene.picture.size().as_dvec2();
+    scene.camera.looking(corner + 0.5 + beside, size).as_vec3()
 }

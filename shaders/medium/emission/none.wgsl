@@ -2,6 +2,6 @@
 //
 // Gives: emission.
 
-fn emission(photon: Photon, at: Places, share: vec4<f32>, factor: vec4<f32>, shift: vec4<f32>) -> vec3<f32> {
+fn emission(way: Way, shares: vec4<f32>, photon: Photon, at: Places, share: vec4<f32>, factor: vec4<f32>, shift: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(0.0);
 }

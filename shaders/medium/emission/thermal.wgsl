@@ -10,13 +10,15 @@ fn body_light(r: f32, g: f32, factor: f32) -> vec3<f32> {
     return thermal_colour(scene.disk.temperature * sqrt(sqrt(flux)) * g) * (flux * beaming_factor(g));
 }
 
-// The light of four places, of which `share` arrives, where g is the whole shift of their light.
-fn emission(photon: Photon, at: Places, share: vec4<f32>, factor: vec4<f32>, shift: vec4<f32>) -> vec3<f32> {
-    let source = share * source_function(at.r, at.n_z, at.opening);
+// The light of four places of the step, of which `share` arrives, where g is the whole shift of their light.
+fn emission(way: Way, shares: vec4<f32>, photon: Photon, at: Places, share: vec4<f32>, factor: vec4<f32>, shift: vec4<f32>) -> vec3<f32> {
+    let source = (scene.disk.brightness * share) * source_function(at.r, at.n_z, at.opening);
     let g = medium_shift(photon, at.r, at.n_z, shift);
-    var light = source.x * body_light(at.r.x, g.x, factor.x);
-    light += source.y * body_light(at.r.y, g.y, factor.y);
-    light += source.z * body_light(at.r.z, g.z, factor.z);
-    light += source.w * body_light(at.r.w, g.w, factor.w);
-    return scene.disk.brightness * light;
+    var light = vec3<f32>(0.0);
+    for (var lane = 0u; lane < 4u; lane++) {
+        let arriving = source[lane] * body_light(at.r[lane], g[lane], factor[lane]);
+        weigh(way, shares[lane], at.r[lane], at.n_z[lane], shift[lane], arriving);
+        light += arriving;
+    }
+    return light;
 }

@@ -69,8 +69,8 @@ fn sheath_share(path: Curve, base: f32, inner: f32, outer: f32) -> f32 {
     return high;
 }
 
-// The light of a node, of which this `part` of the step belongs to it.
-fn jet_light(way: Way, orbit: KerrRay, photon: Photon, share: f32, part: f32) -> vec3<f32> {
+// The light of a node, of which this `part` of the step belongs to it, and of which this share arrives.
+fn jet_light(way: Way, orbit: KerrRay, photon: Photon, share: f32, part: f32, arriving: f32) -> vec3<f32> {
     let y = curve_at(way.path, share);
     let slope = curve_slope(way.path, share);
     let r = 1.0 / max(way.motion.base + y.x, TINY);
@@ -83,7 +83,10 @@ fn jet_light(way: Way, orbit: KerrRay, photon: Photon, share: f32, part: f32) ->
     let length = part * way.h * sigma * slowing;
     let g = medium_shift(photon, vec4<f32>(r), vec4<f32>(y.y), vec4<f32>(orbit.scale / slowing)).x;
     let factor = jet_factor(way, share, part, r, stream, y, slope);
-    return synchrotron_colour(r, g, factor) * (beaming_factor(g) * jet_emission(r, stream) * length * factor);
+    let light = synchrotron_colour(r, g, factor) * (beaming_factor(g) * jet_emission(r, stream) * length * factor);
+    // Nothing absorbs within the jets, so all their places have the same share.
+    weigh(way, share, r, y.y, orbit.scale / slowing, arriving * light);
+    return light;
 }
 
 // Adds a span of a step inside the jets, between two shares of the step.
@@ -108,6 +111,7 @@ fn add_jet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Pho
     }
     var nodes = JET_NODES;
     var light = vec3<f32>(0.0);
+    let arriving = (*result).transmission * jet.brightness;
     for (var piece = 0u; piece < 3u; piece++) {
         let parts = parts_of_chunk();
         let width = (ends[piece + 1u] - ends[piece]) / f32(parts);
@@ -115,10 +119,10 @@ fn add_jet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Pho
             for (var i = 0u; i < parts * JET_NODE_COUNT; i++) {
                 let node = nodes[i % JET_NODE_COUNT];
                 let start = ends[piece] + width * f32(i / JET_NODE_COUNT);
-                light += jet_light(way, orbit, photon, start + width * node.x, width * node.y);
+                light += jet_light(way, orbit, photon, start + width * node.x, width * node.y, arriving);
             }
             (*result).samples += parts * JET_NODE_COUNT;
         }
     }
-    (*result).light += ((*result).transmission * jet.brightness) * light;
+    (*result).light += arriving * light;
 }

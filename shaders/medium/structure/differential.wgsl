@@ -28,15 +28,15 @@ struct Neighbours {
 }
 
 // The neighbour whose photon differs by this much.
-fn neighbour(photon: Photon, energy: f32, radial: f32, w: vec3<f32>, orbit: KerrRay, ray: Ray, h: f32) -> Neighbour {
+fn neighbour(photon: Photon, change: PhotonChange, orbit: KerrRay, ray: Ray, h: f32) -> Neighbour {
     var beside_photon = photon;
-    beside_photon.energy += energy;
-    beside_photon.radial += radial;
-    beside_photon.w += w;
+    beside_photon.energy += change.energy;
+    beside_photon.radial += change.radial;
+    beside_photon.w += change.w;
     let beside = kerr_ray(beside_photon);
     let c = beside.constants;
     let o = orbit.constants;
-    let dy = h * vec4<f32>(beside.scale * (photon.radial + radial), -beside.w.z, -beside.w.xy);
+    let dy = h * vec4<f32>(beside.scale * (photon.radial + change.radial), -beside.w.z, -beside.w.xy);
     let energies = vec3<f32>(c.energy - o.energy, c.drag - o.drag, c.k_prime - o.k_prime);
     let polar = vec2<f32>(c.stiffness - o.stiffness, c.axial - o.axial);
     return Neighbour(vec4<f32>(0.0), dy - ray.dy, energies, polar);
@@ -44,11 +44,10 @@ fn neighbour(photon: Photon, energy: f32, radial: f32, w: vec3<f32>, orbit: Kerr
 
 // All rays must call it before any branch.
 fn neighbours_of(photon: Photon, orbit: KerrRay, ray: Ray, h: f32) -> Neighbours {
-    let change = differences(vec3<f32>(photon.energy, photon.radial, 0.0));
-    let w = differences(photon.w);
+    let changes = photon_changes(photon);
     return Neighbours(
-        neighbour(photon, change.to_the_right.x, change.to_the_right.y, w.to_the_right, orbit, ray, h),
-        neighbour(photon, change.downward.x, change.downward.y, w.downward, orbit, ray, h),
+        neighbour(photon, changes[0], orbit, ray, h),
+        neighbour(photon, changes[1], orbit, ray, h),
     );
 }
 

@@ -120,8 +120,8 @@ fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
     assert_same_layout!(&module, GpuHit = "Hit", GpuTrace = "Trace");
     let mut scene = Scene::default();
     scene.disk.thickness = 0.06;
-    let module = parsed(Variant::passages(&scene).source());
-    assert_same_layout!(&module, GpuPassage = "Passage");
+    let module = parsed(Variant::passages(&scene, false).source());
+    assert_same_layout!(&module, GpuPassage = "PassageRecord");
 }
 
 #[test]

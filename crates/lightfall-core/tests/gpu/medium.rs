@@ -27,9 +27,9 @@ pub(crate) fn light(scene: &Scene, size: [u32; 2], relative: f64) -> Vec<[f64; 2
     let rays: Vec<_> = directions
         .map(|direction| Ray::toward(camera_from_axes * direction))
         .collect();
-    let given: Vec<_> = rays.iter().map(Ray::given).collect();
+    let given = rays.iter().map(Ray::given);
     let kernel = PassageKernel::new(gpu(), scene).unwrap();
-    let found = kernel.passages(gpu(), scene, &given).unwrap();
+    let found = kernel.passages(gpu(), scene, given).unwrap();
     let truth = true_passages(scene, &rays, relative).unwrap();
     let pairs = found.iter().zip(&truth);
     let largest = pairs.map(|(found, truth)| {
@@ -121,7 +121,7 @@ fn no_ray_between_lit_ones_is_dark() {
         .map(|direction| Ray::toward(camera_from_axes * direction).given())
         .collect();
     let kernel = PassageKernel::new(gpu(), &scene).unwrap();
-    let found = kernel.passages(gpu(), &scene, &given).unwrap();
+    let found = kernel.passages(gpu(), &scene, given).unwrap();
     let light: Vec<f32> = found
         .iter()
         .map(|passage| passage.light.max_element())

@@ -103,9 +103,9 @@ fn lit_scene(random: &mut Random) -> (Scene, Vec<Ray>, Vec<GpuPassage>) {
 }
 
 fn found(scene: &Scene, rays: &[Ray]) -> Vec<GpuPassage> {
-    let given: Vec<_> = rays.iter().map(Ray::given).collect();
+    let given = rays.iter().map(Ray::given);
     let kernel = PassageKernel::new(gpu(), scene).unwrap();
-    let found = kernel.passages(gpu(), scene, &given).unwrap();
+    let found = kernel.passages(gpu(), scene, given).unwrap();
     for (ray, seen) in rays.iter().zip(&found) {
         assert!(
             seen.is_finite() && !seen.is_unfinished(),

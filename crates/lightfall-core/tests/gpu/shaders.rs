@@ -176,7 +176,7 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         let source = variant.source();
         let pictures = matches!(
             variant.entry,
-            Entry::Picture | Entry::Refine | Entry::TimedLight | Entry::Passages
+            Entry::Picture | Entry::Refine | Entry::TimedLight | Entry::Passages { .. }
         );
         let sky = pictures && variant.sky != SkyMode::Off;
         let thick = variant.medium_nodes > 0;

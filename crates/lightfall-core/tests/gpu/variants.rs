@@ -170,7 +170,8 @@ fn matter_with_depth() -> Vec<Variant> {
                 all.extend([
                     picture,
                     Variant::timed_light(&scene),
-                    Variant::passages(&scene),
+                    Variant::passages(&scene, false),
+                    Variant::passages(&scene, true),
                 ]);
                 all.extend(picture.refined());
                 all.extend(Variant::star_kernels(&scene));

@@ -142,12 +142,27 @@ impl Variant {
         } else {
             ["medium/structure/none.wgsl", "medium/sheet/smooth.wgsl"]
         };
-        let chunks = if self.view == View::LightError {
+        let single = matches!(self.entry, Entry::Passages { .. });
+        let chunks = if self.view == View::LightError || single {
             "medium/chunks/divided.wgsl"
         } else {
             "medium/chunks/whole.wgsl"
         };
-        vec![matter, differential, knots, disk, sheet, chunks]
+        let [neighbours, means] = if single {
+            ["medium/neighbours/given.wgsl", "medium/means/sums.wgsl"]
+        } else {
+            ["medium/neighbours/compared.wgsl", "medium/means/none.wgsl"]
+        };
+        vec![
+            matter,
+            differential,
+            knots,
+            disk,
+            sheet,
+            chunks,
+            neighbours,
+            means,
+        ]
     }
 
     /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the

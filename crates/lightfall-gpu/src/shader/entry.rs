@@ -20,7 +20,11 @@ pub enum Entry {
     /// The light of each pixel from a compute entry, for timing: entry point `timed`.
     TimedLight,
     /// What reaches the camera through matter with depth, for single rays: entry point `passages`.
-    Passages,
+    Passages {
+        /// Whether structure is filtered by the distance to the next pixels' rays. Otherwise a ray
+        /// sees points, as its twin in f64 does.
+        filters: bool,
+    },
     /// A kernel of point stars: its own entry point.
     Star(StarKernel),
 }
@@ -34,7 +38,7 @@ impl Entry {
             Self::Rays => &["rays"],
             Self::Timed => &["vertex", "timed", "fragment"],
             Self::TimedLight => &["timed"],
-            Self::Passages => &["passages"],
+            Self::Passages { .. } => &["passages"],
             Self::Star(kernel) => from_ref(&KERNELS[kernel as usize]),
         }
     }

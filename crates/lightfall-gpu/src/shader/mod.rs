@@ -250,18 +250,25 @@ impl Variant {
         }
     }
 
-    /// The shader that follows single rays through matter with depth.
-    pub fn passages(scene: &Scene) -> Self {
+    /// The shader that follows single rays through matter with depth: with filters, those of
+    /// pixels.
+    pub fn passages(scene: &Scene, filters: bool) -> Self {
+        let picture = Self::picture(&Scene {
+            view: View::Colour,
+            ..scene.clone()
+        });
         Self {
-            entry: Entry::Passages,
+            entry: Entry::Passages { filters },
             antialias: false,
             sky: SkyMode::Off,
             turned_sky: false,
             reference_star: false,
-            ..Self::picture(&Scene {
-                view: View::Colour,
-                ..scene.clone()
-            })
+            delay_nodes: if filters {
+                picture.tracer.delay_nodes()
+            } else {
+                picture.delay_nodes
+            },
+            ..picture
         }
     }
 

@@ -80,8 +80,7 @@ impl Variant {
         }
         if self.has_medium() {
             medium::add_min_transmission(&mut text, self.medium_nodes);
-            // A single ray sees points, as its twin in f64 does.
-            let filters = self.entry != Entry::Passages;
+            let filters = self.entry != Entry::Passages { filters: false };
             add_constant(&mut text, "MEDIUM_FILTERS", "bool", filters);
         }
         if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
