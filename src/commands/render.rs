@@ -75,7 +75,11 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let mut writer = PictureWriter {
         studio: Studio::with_options(&first_scene, size, options)?,
         format,
-        channels: args.aov.clone().unwrap_or_default(),
+        channels: args
+            .aov
+            .clone()
+            .unwrap_or_default()
+            .of_scene(&pictures.scene),
         names: ChannelNames::from_word(&args.aov_names).unwrap_or_default(),
         rays: None,
         animation: None,

@@ -194,6 +194,16 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
          hit2_shift.Y float, hit2_temperature.Y float, outcome.Y float, residual.Y float, sky_direction.X float, \
          sky_direction.Y float, sky_direction.Z float, steps.Y float"
     );
+    // `all` leaves out what a scene without matter with depth has no numbers for; a name does not.
+    assert_eq!(
+        listed("--aov all,medium.tau"),
+        listed("--aov medium_depth.Y,all")
+    );
+    assert!(listed("--aov all,medium.tau").contains("medium_depth.Y float, outcome.Y float"));
+    let of_matter = listed("--set disk.thickness=0.06 --aov all")
+        .matches("medium_")
+        .count();
+    assert_eq!(of_matter, 8);
     for both in [
         "outcome,hit2,sky.z,hit2.g",
         "outcome.Y,hit2,sky_direction.Z",

@@ -1,6 +1,10 @@
 //! Everything about one ray, as numbers that can be read, copied and compared: the contents of the
 //! ray inspector.
 
+mod matter;
+
+pub use matter::{GpuLight, InspectedMatter, InspectedStretch};
+
 use crate::rays::Record;
 use crate::{Ray, Truth, greater};
 use glam::DVec3;
@@ -64,6 +68,8 @@ pub struct Inspection {
     pub sky_g: Option<f64>,
     /// The difference between the GPU's answer and the reference's.
     pub difference: Option<Difference>,
+    /// What matter with depth does to the ray.
+    pub matter: Option<InspectedMatter>,
 }
 
 /// How far the GPU is from the reference, for one ray: see [`RayError`](crate::RayError).
@@ -141,6 +147,7 @@ impl Inspected {
                 Shift::new(scene).of_sky(g, lambda)
             }),
             difference: None,
+            matter: InspectedMatter::of(scene, &reference.photon(direction)),
         };
         Ok(Self {
             numbers,
@@ -190,29 +197,47 @@ impl Inspection {
         serde_json::to_string_pretty(self).expect("numbers and words only")
     }
 
-    /// As lines `name = value`: the ray's own numbers, and the records of both answers, whose names
-    /// begin with `cpu.` and `gpu.`. Missing values are left out.
+    /// As lines `name = value`: the ray's own numbers, and the records, whose names begin with `cpu.`,
+    /// `gpu.` and so on, and with `matter.stretches.1.` for the first stretch. Missing values are left
+    /// out.
     pub fn to_text(&self) -> String {
         let value = serde_json::to_value(self).expect("numbers and words only");
-        let fields = value.as_object().into_iter().flatten();
-        let (records, numbers): (Vec<_>, Vec<_>) = fields.partition(|(_, value)| value.is_object());
         let mut text = String::new();
-        for (name, value) in numbers {
-            add_line(&mut text, name, value);
-        }
-        for (record, fields) in records {
-            for (name, value) in fields.as_object().into_iter().flatten() {
-                add_line(&mut text, &format!("{record}.{name}"), value);
-            }
-        }
+        add_lines(&mut text, "", &value);
         text
     }
 }
 
-fn add_line(text: &mut String, name: &str, value: &Value) {
+/// Adds the lines of a value with this name: those of an object after the ones with numbers and words.
+fn add_lines(text: &mut String, name: &str, value: &Value) {
+    let within = |part: &str| {
+        let dot = if name.is_empty() { "" } else { "." };
+        format!("{name}{dot}{part}")
+    };
     match value {
         Value::Null => {}
         Value::String(word) => *text += &format!("{name} = {word}\n"),
+        Value::Object(fields) => {
+            let (records, numbers): (Vec<_>, Vec<_>) =
+                fields.iter().partition(|(_, value)| is_record(value));
+            for (part, value) in numbers.into_iter().chain(records) {
+                add_lines(text, &within(part), value);
+            }
+        }
+        Value::Array(records) if records.iter().all(is_record) => {
+            for (index, record) in records.iter().enumerate() {
+                add_lines(text, &within(&(index + 1).to_string()), record);
+            }
+        }
         other => *text += &format!("{name} = {other}\n"),
+    }
+}
+
+/// Whether a value has lines of its own names.
+fn is_record(value: &Value) -> bool {
+    match value {
+        Value::Object(_) => true,
+        Value::Array(values) => values.iter().all(Value::is_object),
+        _ => false,
     }
 }

@@ -7,7 +7,7 @@ use super::error::GpuError;
 use super::inputs::Inputs;
 use super::kernel::{ArrayKernel, uniform};
 use super::rays::{GpuTrace, MAX_RAYS};
-use super::scene::GpuScene;
+use super::scene::{GpuScene, time_lead};
 use super::shader::Variant;
 use encase::ShaderType;
 use glam::{Vec3, Vec4};
@@ -24,7 +24,8 @@ pub struct GpuPassage {
     pub samples: u32,
     pub error: f32,
     pub luminance: f32,
-    /// Radius and height in r_s, observed over emitted frequency, and delay in r_s/c.
+    /// Radius and height in r_s, observed over emitted frequency, and delay in r_s/c, which is NaN for a
+    /// camera at or inside the horizon, and without meaning for rays without extent.
     pub means: Vec4,
 }
 
@@ -127,6 +128,11 @@ impl PassageKernel {
         let mut passages = Vec::with_capacity(rays.len());
         for batch in rays.chunks(MAX_RAYS) {
             passages.extend(self.kernel.run::<GivenRay, GpuPassage>(gpu, batch)?);
+        }
+        // The part of the delays that the GPU leaves out.
+        let lead = time_lead(scene).unwrap_or(f64::NAN);
+        for passage in &mut passages {
+            passage.means.w = (lead + f64::from(passage.means.w)) as f32;
         }
         Ok(passages)
     }

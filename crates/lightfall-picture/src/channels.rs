@@ -50,29 +50,20 @@ enum Value {
     /// An integer of that ray.
     Count(fn(&Trace) -> u32),
     /// A number of what the matter with depth does to that ray, if it has one.
-    Matter(fn(&Passed) -> Option<f64>),
+    Matter(fn(&GpuPassage) -> Option<f64>),
     /// The foreground's depth.
     Depth,
 }
 
-/// What matter with depth does to a pixel's ray.
-struct Passed<'a> {
-    passage: &'a GpuPassage,
-    /// Whether the camera is outside of the horizon, where delays can be stated.
-    outside: bool,
+/// One of the means of where the light of matter with depth comes from.
+fn mean(seen: &GpuPassage, of: usize) -> Option<f64> {
+    (seen.luminance > 0.0).then(|| f64::from(seen.means[of]))
 }
 
-impl Passed<'_> {
-    /// One of the means of where its light comes from.
-    fn mean(&self, of: usize) -> Option<f64> {
-        let lit = self.passage.luminance > 0.0;
-        lit.then(|| f64::from(self.passage.means[of]))
-    }
-
-    fn depth(&self) -> f64 {
-        // No negative zero where nothing absorbs.
-        0.0 - f64::from(self.passage.transmission).ln()
-    }
+/// The optical depth of a ray's way.
+fn depth(seen: &GpuPassage) -> f64 {
+    // No negative zero where nothing absorbs.
+    0.0 - f64::from(seen.transmission).ln()
 }
 
 /// The trace of a ray, and the disk that it may meet.
@@ -133,38 +124,56 @@ pub const CHANNELS: [Channel; 25] = channels![
     "steps.Y" "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
     "residual.Y" "residual" Number |seen| Some(seen.trace.residual),
         "largest normalized residual of the null constraint along the ray; zero in closed form";
-    "medium_transmission.Y" "medium.T" Matter |seen| Some(seen.passage.transmission.into()),
+    "medium_transmission.Y" "medium.T" Matter |seen| Some(seen.transmission.into()),
         "share of the light from behind that comes through the matter with depth; 1 without any";
-    "medium_depth.Y" "medium.tau" Matter |seen| Some(seen.depth()),
-        "optical depth of the matter along the ray; where a ray ends because nothing comes through, the depth up to there";
-    "medium_radius.Y" "medium.r" Matter |seen| seen.mean(0),
+    "medium_depth.Y" "medium.tau" Matter |seen| Some(depth(seen)),
+        "optical depth of the matter along the ray; a ray ends where it sees nothing behind, and has the depth up to there";
+    "medium_radius.Y" "medium.r" Matter |seen| mean(seen, 0),
         "radius from which the light of the matter comes, in r_s: a mean, weighted by luminance";
-    "medium_height.Y" "medium.z" Matter |seen| seen.mean(1),
+    "medium_height.Y" "medium.z" Matter |seen| mean(seen, 1),
         "height r cos(theta) above the disk's plane from which the light comes, in r_s: a mean";
-    "medium_shift.Y" "medium.g" Matter |seen| seen.mean(2), "observed over emitted frequency of this light: a mean";
-    "medium_delay.Y" "medium.t" Matter |seen| seen.mean(3).filter(|_| seen.outside),
+    "medium_shift.Y" "medium.g" Matter |seen| mean(seen, 2), "observed over emitted frequency of this light: a mean";
+    "medium_delay.Y" "medium.t" Matter |seen| mean(seen, 3).filter(|delay| !delay.is_nan()),
         "time from the emission of this light to its arrival, in r_s/c: a mean; missing for a camera at or inside the horizon";
-    "medium_samples.Y" "medium.samples" Matter |seen| Some(seen.passage.samples.into()),
+    "medium_samples.Y" "medium.samples" Matter |seen| Some(seen.samples.into()),
         "places of the matter that the ray asked for their light";
-    "medium_error.Y" "medium.error" Matter |seen| Some(seen.passage.error.into()),
+    "medium_error.Y" "medium.error" Matter |seen| Some(seen.error.into()),
         "change of the matter's light with twice the samples, as a share of it";
 ];
 
 /// A list of channels without duplicates, in the order of [`CHANNELS`].
 #[derive(Clone, Debug, Default)]
-pub struct Channels(Vec<Channel>);
+pub struct Channels {
+    list: Vec<Channel>,
+    /// The ones among them that only the word `all` means.
+    unnamed: Vec<&'static str>,
+}
 
 impl Channels {
     /// The channels.
     #[must_use]
     pub fn list(&self) -> &[Channel] {
-        &self.0
+        &self.list
+    }
+
+    /// The channels of a scene's pictures: `all` means those of matter with depth only where a scene
+    /// has such matter.
+    #[must_use]
+    pub fn of_scene(mut self, scene: &Scene) -> Self {
+        let is_idle = |channel: &Channel| {
+            let of_matter = matches!(channel.value, Value::Matter(_));
+            of_matter && self.unnamed.contains(&channel.name)
+        };
+        if !scene.has_medium() {
+            self.list.retain(|channel| !is_idle(channel));
+        }
+        self
     }
 
     /// Whether the depth of the foreground is one of them.
     #[must_use]
     pub fn with_depth(&self) -> bool {
-        self.0
+        self.list
             .iter()
             .any(|channel| matches!(channel.value, Value::Depth))
     }
@@ -184,15 +193,27 @@ impl FromStr for Channels {
             Some(unknown) => {
                 let all = CHANNELS.map(|channel| channel.name).join(", ");
                 Err(format!(
-                    "there is no channel {unknown:?}; the groups are all, sky, hit1 and hit2, and the channels are {all}"
+                    "there is no channel {unknown:?}; the groups are all, sky, hit1, hit2 and medium, and the channels are {all}"
                 ))
             }
-            None => Ok(Self(
-                CHANNELS
+            None => {
+                let meant = |channel: &Channel, names: &[&str]| {
+                    names.iter().any(|name| channel.is_meant(name))
+                };
+                let named: Vec<&str> = names
+                    .iter()
+                    .copied()
+                    .filter(|name| *name != "all")
+                    .collect();
+                let list = CHANNELS
                     .into_iter()
-                    .filter(|channel| names.iter().any(|name| channel.is_meant(name)))
-                    .collect(),
-            )),
+                    .filter(|channel| meant(channel, &names));
+                let unnamed = CHANNELS.iter().filter(|channel| !meant(channel, &named));
+                Ok(Self {
+                    list: list.collect(),
+                    unnamed: unnamed.map(|channel| channel.name).collect(),
+                })
+            }
         }
     }
 }
@@ -238,7 +259,6 @@ impl PixelRays {
         let any = |is: fn(&Value) -> bool| channels.list().iter().any(|c| is(&c.value));
         let traced = any(|value| matches!(value, Value::Number(_) | Value::Count(_)));
         let passed = any(|value| matches!(value, Value::Matter(_)));
-        let outside = scene.camera.r > scene.kerr().horizon();
         for first in (0..pixels).step_by(BATCH) {
             let batch = first..pixels.min(first + BATCH);
             let traces = if traced {
@@ -267,10 +287,11 @@ impl PixelRays {
                     Value::Count(count) => {
                         samples.extend(traces.iter().map(|trace| count(trace) as f32));
                     }
-                    Value::Matter(number) => samples.extend(passages.iter().map(|passage| {
-                        number(&Passed { passage, outside })
-                            .map_or(f32::NAN, |number| number as f32)
-                    })),
+                    Value::Matter(number) => {
+                        samples.extend(passages.iter().map(|passage| {
+                            number(passage).map_or(f32::NAN, |number| number as f32)
+                        }))
+                    }
                     Value::Depth => samples.extend(&depth[batch.clone()]),
                 }
             }

@@ -135,14 +135,14 @@ fn about_pictures() -> String {
     let channels = CHANNELS
         .map(|channel| {
             format!(
-                "  {:20} {:9} {}\n",
+                "  {:21} {:14} {}\n",
                 channel.name, channel.old_name, channel.about
             )
         })
         .concat();
     format!(
         "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN. Groups \
-         are sky, hit1 and hit2. The second name is that of version 0.1, and means the same channel:\n{channels}\n\
+         are sky, hit1, hit2 and medium; all means those of medium where the scene has matter with depth. The second name is that of version 0.1, and means the same channel:\n{channels}\n\
          Names of a sequence: the last run of # is replaced by the frame's number with at least as many digits, as in fall-####.png; fall.png \
          gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \
          metered. At the end, a command line that makes a video is printed.\n\n\

@@ -37,6 +37,7 @@ mod light;
 #[path = "../physics/light_without_spin.rs"]
 mod light_without_spin;
 mod limb;
+mod matter_places;
 mod medium;
 mod medium_measurements;
 mod mino;

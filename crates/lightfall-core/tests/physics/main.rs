@@ -48,6 +48,7 @@ mod star_catalogues;
 mod star_images;
 mod starlight;
 mod stars;
+mod stretches;
 mod structure;
 mod structure_field;
 mod structure_period;

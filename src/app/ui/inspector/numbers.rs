@@ -1,5 +1,7 @@
 //! The numbers of an inspected ray, rounded for reading. A copy of them has all digits.
 
+mod matter;
+
 use bevy_egui::egui;
 use lightfall_core::accuracy::inspection::{Difference, Inspected, Inspection};
 use lightfall_core::accuracy::rays::Record;
@@ -62,29 +64,17 @@ pub(super) fn show(
 }
 
 fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
-    let (numbers, trace) = (&ray.numbers, &ray.trace);
+    let numbers = &ray.numbers;
     let opaque = scene.disk.transmission == 0.0;
     let cpu = &numbers.cpu;
     let length = |length| units.length(length, four_digits);
     let mut rows = Rows::default();
-    rows.add("shows", Some(outcome(cpu, opaque).into()));
-    let temperatures = [numbers.hit1_temperature_k, numbers.hit2_temperature_k];
-    let hits = ["first", "second"].into_iter().zip(trace.hits);
-    for ((which, hit), temperature) in hits.zip(temperatures) {
-        let Some(Hit { r, phi, g, delay }) = hit else {
-            continue;
-        };
-        let place = match units {
-            Units::Hole => format!("r {}, phi {:.1}°", length(r), phi.to_degrees()),
-            Units::Everyday(_) => format!("{} from the hole", length(r)),
-        };
-        rows.add(&format!("{which} disk hit"), Some(place));
-        let light =
-            temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
-        rows.add(&format!("   {}", shift_in_words(g)), light);
-        rows.add("   beaming g⁴", beaming(scene, g));
-        let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
-        rows.add("   emitted", delay.map(earlier));
+    match &numbers.matter {
+        Some(matter) => matter::add_stretches(&mut rows, matter, cpu, units),
+        None => {
+            rows.add("shows", Some(outcome(cpu, opaque).into()));
+            add_hits(&mut rows, ray, scene, units);
+        }
     }
     if let Some(g) = numbers.sky_g {
         let name = format!("sky, {}", shift_in_words(g));
@@ -110,6 +100,30 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
     };
     rows.add(approach, Some(closest));
     rows
+}
+
+/// The places where the ray meets a disk without thickness.
+fn add_hits(rows: &mut Rows, ray: &Inspected, scene: &Scene, units: Units) {
+    let (numbers, trace) = (&ray.numbers, &ray.trace);
+    let length = |length| units.length(length, four_digits);
+    let temperatures = [numbers.hit1_temperature_k, numbers.hit2_temperature_k];
+    let hits = ["first", "second"].into_iter().zip(trace.hits);
+    for ((which, hit), temperature) in hits.zip(temperatures) {
+        let Some(Hit { r, phi, g, delay }) = hit else {
+            continue;
+        };
+        let place = match units {
+            Units::Hole => format!("r {}, phi {:.1}°", length(r), phi.to_degrees()),
+            Units::Everyday(_) => format!("{} from the hole", length(r)),
+        };
+        rows.add(&format!("{which} disk hit"), Some(place));
+        let light =
+            temperature.map(|t| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
+        rows.add(&format!("   {}", shift_in_words(g)), light);
+        rows.add("   beaming g⁴", beaming(scene, g));
+        let earlier = |delay| format!("{} earlier", units.time(delay, four_digits));
+        rows.add("   emitted", delay.map(earlier));
+    }
 }
 
 /// The factor of the whole power of light with this shift.
@@ -147,6 +161,9 @@ fn constants_and_errors(ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>)
     }
     if let Some(difference) = numbers.difference {
         differences(&mut rows, &difference, numbers, opaque);
+    }
+    if let Some(light) = &numbers.matter {
+        matter::add_errors(&mut rows, light);
     }
     rows.add("reference", Some(work(&numbers.cpu)));
     rows.add("GPU", numbers.gpu.as_ref().map(work));

@@ -1,8 +1,10 @@
 //! The thread that traces inspected rays again, so that no frame waits for it: first with the f64
 //! reference, which answers at once, then on a background GPU device.
 
+use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::gpu::passages::{GivenRay, GpuPassage, PassageKernel};
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::{GpuError, with_background_device};
 use lightfall_core::optics::trace::Trace;
@@ -55,14 +57,18 @@ fn trace(RayJob { scene, rays }: RayJob, answer: impl Fn(InspectedRays)) -> Resu
         });
     };
     send(&inspected, None);
-    let (Some((ray, _)), Some(first)) = (rays.first(), inspected.first_mut()) else {
+    let (Some((ray, pixel)), Some(first)) = (rays.first(), inspected.first_mut()) else {
         return Ok(());
     };
-    let gpu_fault = match trace_on_gpu(&scene, *ray) {
-        Ok(trace) => {
+    let gpu_fault = match trace_on_gpu(&scene, *ray, *pixel) {
+        Ok((trace, passage)) => {
             first
                 .compare(&scene, *ray, &trace)
                 .map_err(|error| error.to_string())?;
+            if let (Some(matter), Some(passage)) = (&mut first.numbers.matter, passage) {
+                let seen = (passage.light, passage.transmission);
+                matter.compare(&scene, seen, passage.samples, passage.error);
+            }
             None
         }
         Err(error) => Some(error.to_string()),
@@ -71,12 +77,33 @@ fn trace(RayJob { scene, rays }: RayJob, answer: impl Fn(InspectedRays)) -> Resu
     Ok(())
 }
 
-fn trace_on_gpu(scene: &Scene, ray: Ray) -> Result<Trace, GpuError> {
+/// The trace of a ray and, in a scene with matter with depth, what this does to the pixel's light.
+fn trace_on_gpu(
+    scene: &Scene,
+    ray: Ray,
+    pixel: [f64; 2],
+) -> Result<(Trace, Option<GpuPassage>), GpuError> {
+    let no_answer = || GpuError::Device("it gave no answer".into());
     with_background_device(|gpu| {
         let traces = RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &[ray.given()])?;
-        traces
-            .into_iter()
-            .next()
-            .ok_or_else(|| GpuError::Device("it gave no answer".into()))
+        let trace = traces.into_iter().next().ok_or_else(no_answer)?;
+        if !scene.has_medium() {
+            return Ok((trace, None));
+        }
+        let size = scene.picture.size().as_dvec2();
+        let beside = |by: DVec2| {
+            scene
+                .camera
+                .looking(DVec2::from(pixel) + by, size)
+                .as_vec3()
+        };
+        let given = GivenRay {
+            direction: ray.given(),
+            right: beside(DVec2::X),
+            below: beside(DVec2::Y),
+        };
+        let passages = PassageKernel::of_pixels(gpu, scene)?.passages(gpu, scene, [given])?;
+        let passage = passages.into_iter().next().ok_or_else(no_answer)?;
+        Ok((trace, Some(passage)))
     })
 }
