@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
 use lightfall_core::scene::{DiskModel, DiskStructure, Scene, ToneCurve};
-use lightfall_picture::{CHANNELS, render};
+use lightfall_picture::{CHANNELS, Channel, render};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -82,7 +82,7 @@ pub fn program(folder: &Path, scene: &Scene, options: &str) {
     );
 }
 
-fn linear(scene: &Scene, options: &str) -> Linear {
+pub fn linear(scene: &Scene, options: &str) -> Linear {
     let folder = tempfile::tempdir().unwrap();
     program(folder.path(), scene, &format!("-o a.exr {options}"));
     Linear::read(&folder.path().join("a.exr"))
@@ -224,8 +224,10 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
 
 /// What the channels say of every ray, as the traces they were.
 fn traces(linear: &Linear) -> Vec<Trace> {
+    let in_file = |channel: &&Channel| linear.channels.contains_key(channel.name);
     let channels: BTreeMap<&str, Vec<f64>> = CHANNELS
         .iter()
+        .filter(in_file)
         .map(|channel| (channel.old_name, linear.values(channel.name)))
         .collect();
     let of = |name: &str, i: usize| Some(channels[name][i]).filter(|value| !value.is_nan());

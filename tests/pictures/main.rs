@@ -10,6 +10,7 @@ mod finite;
 mod idle;
 mod light;
 mod linear;
+mod linear_matter;
 #[path = "../../crates/lightfall-core/tests/physics/moved_camera.rs"]
 #[allow(
     dead_code,
