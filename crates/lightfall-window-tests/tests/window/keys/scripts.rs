@@ -168,7 +168,7 @@ fn change_of_pace(session: &Session, key: &str) -> f64 {
     after.pace / before.pace
 }
 
-/// A view that the method in use leaves empty is refused with the reason.
+/// A view that the method in use, or a disk without thickness, leaves empty is refused with the reason.
 pub fn empty_view(session: &mut Session, key: &str) {
     let before = session.state();
     session.press(key);
