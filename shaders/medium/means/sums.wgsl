@@ -1,7 +1,7 @@
 // Where the light of matter comes from: sums over its places, weighted by the luminance that reaches the
 // camera.
 //
-// Gives: light_sums, weigh.
+// Gives: LightSums, light_sums, weigh.
 
 struct LightSums {
     luminance: f32,
