@@ -1,4 +1,4 @@
-// Dims the images of stars behind the disk, with a ray for each image. In a kernel over all stars,
+// Dims the images of stars behind the disk or the jets, with a ray for each image. In a kernel over all stars,
 // most invocations would wait for a neighbour's ray.
 //
 // Gives: dim.
@@ -13,8 +13,5 @@ fn dim(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= min(image_count.w, min(stars.capacity, arrayLength(&star_images))) {
         return;
     }
-    let ray = trace(photon_from(star_images[id.x].direction));
-    let first = disk_transmission(length(ray.hits[0].position));
-    let second = disk_transmission(length(ray.hits[1].position));
-    star_images[id.x].flux *= select(1.0, first, ray.hit_count > 0u) * select(1.0, second, ray.hit_count > 1u);
+    star_images[id.x].flux *= transmission_along(photon_from(star_images[id.x].direction));
 }

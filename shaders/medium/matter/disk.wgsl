@@ -7,12 +7,9 @@ fn is_within_matter(u: f32) -> bool {
     return u * scene.disk.inner >= 1.0;
 }
 
-// The largest flux of a disk, in the unit of its brightness.
-const DISK_PEAK: f32 = 0.057;
-
 // About the light of the brightest place, as matter beside it sees it.
 fn brightest_light() -> f32 {
-    return DISK_PEAK * scene.disk.brightness;
+    return brightest_disk_light();
 }
 
 // Adds what a ray meets in the first `end` of a step.

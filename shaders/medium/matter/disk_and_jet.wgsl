@@ -22,12 +22,9 @@ fn next_mark(after: f32, marks: vec2<f32>, nearest: f32) -> f32 {
     return select(first, min(first, marks.y), marks.y > after);
 }
 
-// The largest flux of a disk, in the unit of its brightness.
-const DISK_PEAK: f32 = 0.057;
-
 // About the light of the brightest place, as matter beside it sees it.
 fn brightest_light() -> f32 {
-    return max(DISK_PEAK * scene.disk.brightness, jet.brightness);
+    return max(brightest_disk_light(), jet.brightness);
 }
 
 // Adds what a ray meets in the first `end` of a step, in its order.

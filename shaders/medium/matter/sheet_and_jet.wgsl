@@ -8,12 +8,9 @@ fn is_within_matter(u: f32) -> bool {
     return u * min(jet.base, scene.disk.inner) >= 1.0;
 }
 
-// The largest flux of a disk, in the unit of its brightness.
-const DISK_PEAK: f32 = 0.057;
-
 // About the light of the brightest place, as matter beside it sees it.
 fn brightest_light() -> f32 {
-    return max(DISK_PEAK * scene.disk.brightness, jet.brightness);
+    return max(brightest_disk_light(), jet.brightness);
 }
 
 // Adds what a ray meets in the first `end` of a step: the jets before the plane, the disk, and the jets

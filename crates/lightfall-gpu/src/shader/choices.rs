@@ -88,10 +88,10 @@ impl Variant {
             HotSpotKind::None => "disk/hot_spot/none.wgsl",
             HotSpotKind::Rigid | HotSpotKind::Sheared => "disk/hot_spot/spot.wgsl",
         };
-        let dim = if self.medium_nodes > 0 {
-            "medium/dim.wgsl"
+        let behind = if self.medium_nodes > 0 {
+            "stars/behind/matter.wgsl"
         } else {
-            "stars/dim.wgsl"
+            "stars/behind/sheet.wgsl"
         };
         let shines = self.entry != Entry::Star(StarKernel::Dim) && self.view.needs_light();
         let emission = if shines {
@@ -100,7 +100,7 @@ impl Variant {
             "medium/emission/none.wgsl"
         };
         let own = [
-            dim,
+            behind,
             emission,
             "disk.wgsl",
             "disk/cover.wgsl",
