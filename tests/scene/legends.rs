@@ -53,7 +53,7 @@ fn colours(view: View) -> &'static [&'static str] {
             "residual_colour(1e-2)",
             "residual_colour(1.0)",
         ],
-        View::Steps => &[
+        View::Steps | View::Samples => &[
             "vec3<f32>(0.0)",
             "count_colour(4.0)",
             "count_colour(8.0)",
@@ -80,17 +80,6 @@ fn colours(view: View) -> &'static [&'static str] {
             "depth_colour(0.1)",
             "depth_colour(1.0)",
             "depth_colour(5.0)",
-            "MAGENTA",
-        ],
-        View::Samples => &[
-            "vec3<f32>(0.0)",
-            "count_colour(4.0)",
-            "count_colour(8.0)",
-            "count_colour(16.0)",
-            "count_colour(32.0)",
-            "count_colour(64.0)",
-            "count_colour(128.0)",
-            "count_colour(256.0)",
             "MAGENTA",
         ],
         View::LightError => &[

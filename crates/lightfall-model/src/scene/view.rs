@@ -70,6 +70,27 @@ pub struct ViewProperties {
 const BLACK: [f32; 3] = [0.0; 3];
 const MAGENTA: [f32; 3] = [1.0, 0.0, 1.0];
 
+/// The colours of counts, of steps or of samples.
+const COUNTS: &[Swatch] = &[
+    (BLACK, "none"),
+    ([0.0200, 0.0029, 0.0729], "4 or fewer"),
+    ([0.1139, 0.0127, 0.0927], "8"),
+    ([0.2946, 0.0343, 0.1159], "16"),
+    ([0.5366, 0.0914, 0.1450], "32"),
+    ([0.7844, 0.2188, 0.1857], "64"),
+    ([0.9592, 0.4607, 0.2474], "128"),
+    ([0.9642, 0.8686, 0.3441], "256 or more"),
+    (MAGENTA, "unfinished"),
+];
+/// The colours of errors, by powers of ten.
+const ERRORS: [[f32; 3]; 5] = [
+    [0.0273, 0.0090, 0.1511],
+    [0.0080, 0.1104, 0.2716],
+    [0.0246, 0.3181, 0.3356],
+    [0.2431, 0.6151, 0.2757],
+    [0.9615, 0.9322, 0.0480],
+];
+
 /// The light.
 const LIGHT: ViewProperties = ViewProperties {
     words: "light",
@@ -177,28 +198,18 @@ impl View {
             Self::Steps => ViewProperties {
                 words: "heat map of steps",
                 legend: "Steps of the method along each ray",
-                swatches: &[
-                    (BLACK, "none"),
-                    ([0.0200, 0.0029, 0.0729], "4 or fewer"),
-                    ([0.1139, 0.0127, 0.0927], "8"),
-                    ([0.2946, 0.0343, 0.1159], "16"),
-                    ([0.5366, 0.0914, 0.1450], "32"),
-                    ([0.7844, 0.2188, 0.1857], "64"),
-                    ([0.9592, 0.4607, 0.2474], "128"),
-                    ([0.9642, 0.8686, 0.3441], "256 or more"),
-                    (MAGENTA, "unfinished"),
-                ],
+                swatches: COUNTS,
                 ..RAYS
             },
             Self::Error => ViewProperties {
                 words: "backward error",
                 legend: "Backward error: the rotation that would explain a ray's error; one ray per block",
                 swatches: &[
-                    ([0.0273, 0.0090, 0.1511], "1e-4 px or less"),
-                    ([0.0080, 0.1104, 0.2716], "1e-3 px"),
-                    ([0.0246, 0.3181, 0.3356], "1e-2 px"),
-                    ([0.2431, 0.6151, 0.2757], "0.1 px"),
-                    ([0.9615, 0.9322, 0.0480], "1 px or more"),
+                    (ERRORS[0], "1e-4 px or less"),
+                    (ERRORS[1], "1e-3 px"),
+                    (ERRORS[2], "1e-2 px"),
+                    (ERRORS[3], "0.1 px"),
+                    (ERRORS[4], "1 px or more"),
                     (MAGENTA, "too large to measure"),
                     (BLACK, "nothing seen: the hole"),
                     ([0.05, 0.05, 0.05], "not known yet"),
@@ -225,28 +236,18 @@ impl View {
             Self::Samples => ViewProperties {
                 words: "samples of the matter",
                 legend: "Places of the matter that each ray asks for their light",
-                swatches: &[
-                    (BLACK, "none"),
-                    ([0.0200, 0.0029, 0.0729], "4 or fewer"),
-                    ([0.1139, 0.0127, 0.0927], "8"),
-                    ([0.2946, 0.0343, 0.1159], "16"),
-                    ([0.5366, 0.0914, 0.1450], "32"),
-                    ([0.7844, 0.2188, 0.1857], "64"),
-                    ([0.9592, 0.4607, 0.2474], "128"),
-                    ([0.9642, 0.8686, 0.3441], "256 or more"),
-                    (MAGENTA, "unfinished"),
-                ],
+                swatches: COUNTS,
                 ..MATTER
             },
             Self::LightError => ViewProperties {
                 words: "error of the light",
                 legend: "Change of the matter's light with twice the samples, as a share of it",
                 swatches: &[
-                    ([0.0273, 0.0090, 0.1511], "1e-4 or less"),
-                    ([0.0080, 0.1104, 0.2716], "1e-3"),
-                    ([0.0246, 0.3181, 0.3356], "1e-2"),
-                    ([0.2431, 0.6151, 0.2757], "0.1"),
-                    ([0.9615, 0.9322, 0.0480], "1 or more"),
+                    (ERRORS[0], "1e-4 or less"),
+                    (ERRORS[1], "1e-3"),
+                    (ERRORS[2], "1e-2"),
+                    (ERRORS[3], "0.1"),
+                    (ERRORS[4], "1 or more"),
                     (BLACK, "no matter"),
                     (MAGENTA, "unfinished"),
                 ],
