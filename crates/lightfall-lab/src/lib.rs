@@ -5,6 +5,6 @@ pub mod circumstances;
 pub mod export;
 pub mod extremes;
 pub mod import;
-mod medium;
+pub mod medium;
 pub mod table;
 pub mod work;

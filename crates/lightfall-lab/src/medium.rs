@@ -15,12 +15,7 @@ const TRUE_TO: f64 = 1e-5;
 
 /// A scene with a disk with thickness around a hole of this spin, and nothing behind it: the camera is
 /// at rest at a radius in r_s and an angle from the disk's normal in degrees.
-pub(super) fn thick_scene(
-    spin: f64,
-    [r, theta_deg]: [f64; 2],
-    thickness: f64,
-    depth: f64,
-) -> Scene {
+pub fn thick_scene(spin: f64, [r, theta_deg]: [f64; 2], thickness: f64, depth: f64) -> Scene {
     let mut scene = Scene::default();
     scene.hole.spin = spin;
     (scene.camera.r, scene.camera.theta_deg, scene.camera.fov_deg) = (r, theta_deg, 50.0);

@@ -4,20 +4,8 @@ use crate::{gpu, pixel_directions, quantile};
 use lightfall_core::accuracy::{Ray, true_passages};
 use lightfall_core::gpu::passages::PassageKernel;
 use lightfall_core::scene::promises::MEDIUM_LIGHT;
-use lightfall_core::scene::{DiskStructure, ObserverKind, Scene, SkyMode, presets};
-
-/// A scene with a thick disk and nothing behind it.
-fn thick(spin: f64, [r, theta_deg]: [f64; 2], thickness: f64, depth: f64) -> Scene {
-    let mut scene = Scene::default();
-    scene.hole.spin = spin;
-    (scene.camera.r, scene.camera.theta_deg, scene.camera.fov_deg) = (r, theta_deg, 50.0);
-    scene.observer.kind = ObserverKind::Static;
-    scene.disk.follow_isco = true;
-    (scene.disk.thickness, scene.disk.depth) = (thickness, depth);
-    (scene.disk.outer, scene.disk.edge_taper) = (11.0, 0.2);
-    scene.sky.mode = SkyMode::Off;
-    scene
-}
+use lightfall_core::scene::{DiskStructure, Scene, SkyMode, presets};
+use lightfall_lab::medium::thick_scene;
 
 /// The light of the GPU and of the converged twin on a grid of pixels: the largest of red, green and
 /// blue.
@@ -68,7 +56,7 @@ const SCENES: [(f64, [f64; 2], f64, f64); 4] = [
 fn light_holds_the_error_that_chooses_its_nodes() {
     for (spin, camera, thickness, depth) in SCENES {
         for max_error in [0.07, MEDIUM_LIGHT, 0.001] {
-            let mut scene = thick(spin, camera, thickness, depth);
+            let mut scene = thick_scene(spin, camera, thickness, depth);
             scene.quality.max_error_light = max_error;
             let errors = errors(&light(&scene, [48, 27], 1e-5));
             let [median, most] = [0.5, 0.95].map(|share| quantile(&errors, share));
@@ -89,7 +77,7 @@ fn light_holds_the_error_that_chooses_its_nodes() {
 #[ignore = "needs a graphics adapter"]
 fn structure_in_depth_is_that_of_the_twin() {
     for (spin, camera, thickness, depth) in SCENES {
-        let mut scene = thick(spin, camera, thickness, depth);
+        let mut scene = thick_scene(spin, camera, thickness, depth);
         // Large lumps, which the nodes resolve.
         scene.disk.structure = DiskStructure::Turbulent;
         (scene.disk.scale, scene.disk.aspect) = (0.5, 1.0);
