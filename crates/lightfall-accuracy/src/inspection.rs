@@ -68,7 +68,7 @@ pub struct Inspection {
     pub sky_g: Option<f64>,
     /// The difference between the GPU's answer and the reference's.
     pub difference: Option<Difference>,
-    /// What matter with depth does to the ray.
+    /// What matter with depth does to the ray: [`Inspected::add_matter`].
     pub matter: Option<InspectedMatter>,
 }
 
@@ -147,7 +147,7 @@ impl Inspected {
                 Shift::new(scene).of_sky(g, lambda)
             }),
             difference: None,
-            matter: InspectedMatter::of(scene, &reference.photon(direction)),
+            matter: None,
         };
         Ok(Self {
             numbers,
@@ -155,6 +155,20 @@ impl Inspected {
             plane,
             trace: cpu,
         })
+    }
+
+    /// Adds what the scene's matter with depth does to the ray, if it has any. This takes longer than all
+    /// the rest.
+    ///
+    /// # Errors
+    /// The scene's observer cannot exist.
+    pub fn add_matter(&mut self, scene: &Scene) -> Result<(), ObserverError> {
+        let Inspection {
+            er, etheta, ephi, ..
+        } = self.numbers;
+        let photon = Reference::new(scene)?.photon(DVec3::new(er, etheta, ephi));
+        self.numbers.matter = InspectedMatter::of(scene, &photon);
+        Ok(())
     }
 
     /// Adds the GPU's answer to the same ray of a picture of `scene` that is `height` pixels high.

@@ -65,14 +65,14 @@ impl InspectedMatter {
     /// The matter on the way of a photon, given in the disk's frame; `None` if the scene has none.
     pub(super) fn of(scene: &Scene, photon: &Photon) -> Option<Self> {
         let medium = Medium::of(scene, NODES)?;
-        let way = medium.seen(photon, TOLERANCE);
+        let (stretches, way) = medium.stretches(photon, TOLERANCE);
         let delays = scene.camera.r > scene.kerr().horizon();
-        let stretches = medium.stretches(photon, TOLERANCE).into_iter();
         Some(Self {
             light: way.light.to_array(),
             depth: way.depth,
             stretches: stretches
-                .map(|stretch| InspectedStretch::new(&stretch, delays))
+                .iter()
+                .map(|stretch| InspectedStretch::new(stretch, delays))
                 .collect(),
             gpu: None,
         })

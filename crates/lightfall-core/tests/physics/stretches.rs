@@ -40,7 +40,7 @@ fn ways(scene: &Scene) -> Vec<(Vec<Stretch>, lightfall_core::optics::medium::Pas
             let looking = scene.camera.looking(pixel, size);
             let direction = scene.camera.tetrad_from_camera() * looking;
             let photon = reference.photon(direction.normalize());
-            let stretches = medium.stretches(&photon, TOLERANCE);
+            let (stretches, _) = medium.stretches(&photon, TOLERANCE);
             (stretches, medium.seen_with_means(&photon, TOLERANCE))
         })
         .collect()

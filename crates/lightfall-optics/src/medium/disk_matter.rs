@@ -6,7 +6,6 @@ use super::passage::Passage;
 use super::spans::{Span, spans};
 use super::thick_disk::ThickDisk;
 use super::transfer::{Filling, Tolerance};
-use crate::reference::HoleAndDisk;
 use glam::DVec3;
 use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
 
@@ -91,15 +90,7 @@ impl ThickDisk {
         matter: impl Fn(&Place, &Emission) -> Matter,
     ) -> Passage {
         let disk = DiskMatter { disk: self, matter };
-        let filling = Filling {
-            way: HoleAndDisk {
-                kerr: self.kerr,
-                annulus: Some(self.shape.edges),
-            },
-            emitters: vec![&disk],
-            sheet: None,
-            with_means: false,
-        };
+        let filling = Filling::of_one(self.kerr, self.shape.edges, &disk);
         filling.passage(constants, start, nodes, tolerance)
     }
 }

@@ -109,8 +109,9 @@ impl Medium {
         passage
     }
 
-    /// The stretches of the ray's way on which there is matter, from the camera on.
-    pub fn stretches(&self, photon: &Photon, tolerance: Tolerance) -> Vec<Stretch> {
+    /// The stretches of the ray's way on which there is matter, from the camera on, and what
+    /// [`Self::seen_with_means`] says of the whole way.
+    pub fn stretches(&self, photon: &Photon, tolerance: Tolerance) -> (Vec<Stretch>, Passage) {
         let mut kinds = Vec::new();
         kinds.extend(self.disk.as_ref().map(|_| MatterKind::Disk));
         kinds.extend(self.jet.as_ref().map(|_| MatterKind::Jets));

@@ -34,8 +34,9 @@ pub struct Stretch {
     pub means: Option<Means>,
 }
 
-/// The stretches that these pieces of a way make up. `kinds` are those of the emitters.
-pub(super) fn stretches(pieces: Vec<Piece>, kinds: &[MatterKind]) -> Vec<Stretch> {
+/// The stretches that these pieces of a way make up, and the whole way. `kinds` are those of the
+/// emitters.
+pub(super) fn stretches(pieces: Vec<Piece>, kinds: &[MatterKind]) -> (Vec<Stretch>, Passage) {
     let mut joined: Vec<Piece> = Vec::new();
     for piece in pieces {
         match joined.last_mut() {
@@ -77,7 +78,7 @@ pub(super) fn stretches(pieces: Vec<Piece>, kinds: &[MatterKind]) -> Vec<Stretch
             means: piece.passage.means(),
         }
     };
-    parts.map(stretch).collect()
+    (parts.map(stretch).collect(), way)
 }
 
 /// Whether a piece goes on where the last one ends, in the same matter.

@@ -67,7 +67,20 @@ struct Step<'a> {
     start: f64,
 }
 
-impl Filling<'_> {
+impl<'a> Filling<'a> {
+    /// One kind of matter, between two radii.
+    pub fn of_one(kerr: Kerr, radii: [f64; 2], emitter: &'a dyn Emitter) -> Self {
+        Self {
+            way: HoleAndDisk {
+                kerr,
+                annulus: Some(radii),
+            },
+            emitters: vec![emitter],
+            sheet: None,
+            with_means: false,
+        }
+    }
+
     /// Follows the backward ray with these constants from `start`, and returns the light that
     /// reaches its start.
     pub fn passage(

@@ -49,6 +49,12 @@ fn trace(RayJob { scene, rays }: RayJob, answer: impl Fn(InspectedRays)) -> Resu
         Inspected::new(&scene, direction, Some(*pixel), farthest).map_err(|error| error.to_string())
     });
     let mut inspected = inspected.collect::<Result<Vec<_>, _>>()?;
+    // Only the numbers of the first ray are shown.
+    if let Some(first) = inspected.first_mut() {
+        first
+            .add_matter(&scene)
+            .map_err(|error| error.to_string())?;
+    }
     let send = |rays: &[Inspected], gpu_fault| {
         answer(InspectedRays {
             scene: scene.clone(),

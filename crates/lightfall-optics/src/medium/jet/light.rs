@@ -6,7 +6,6 @@ use crate::medium::nodes::Nodes;
 use crate::medium::passage::Passage;
 use crate::medium::spans::{Span, spans};
 use crate::medium::transfer::{Filling, Tolerance};
-use crate::reference::HoleAndDisk;
 use glam::DVec3;
 use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
 
@@ -65,15 +64,8 @@ impl Jet {
         light: impl Fn(&JetPlace, &Emission) -> DVec3,
     ) -> Passage {
         let matter = JetMatter { jet: self, light };
-        let filling = Filling {
-            way: HoleAndDisk {
-                kerr: self.kerr,
-                annulus: Some([self.shape.base, self.shape.length]),
-            },
-            emitters: vec![&matter],
-            sheet: None,
-            with_means: false,
-        };
+        let radii = [self.shape.base, self.shape.length];
+        let filling = Filling::of_one(self.kerr, radii, &matter);
         filling.passage(constants, start, nodes, tolerance)
     }
 }
