@@ -42,6 +42,8 @@ mod released;
 mod returning;
 mod schwarzschild;
 mod shadow_edge;
+mod ship_errors;
+mod ship_flights;
 mod sky_texel;
 mod spectrum;
 mod star_catalogues;

@@ -13,6 +13,7 @@ pub mod mino;
 pub mod observer;
 pub mod quadrature;
 pub mod schwarzschild;
+pub mod ship;
 pub mod sphere;
 pub mod taylor;
 pub mod tetrad;
