@@ -24,6 +24,7 @@ pub mod ray_plane;
 pub mod readout;
 pub mod reference;
 pub mod shift;
+pub mod ship;
 pub mod spectrum;
 pub mod stars;
 pub mod straight;

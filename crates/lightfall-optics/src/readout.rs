@@ -10,7 +10,7 @@ mod strain;
 pub mod units;
 
 pub use shadow::{Shadow, shadow, shadow_radius};
-pub use strain::{held_acceleration, tide};
+pub use strain::{held_acceleration, held_acceleration_components, tide};
 
 use crate::camera_rays::CameraRays;
 use crate::echo::{ORDERS, echo};

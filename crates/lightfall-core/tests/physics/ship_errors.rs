@@ -37,24 +37,23 @@ fn random_controls(random: &mut Random, r: f64) -> Controls {
     }
 }
 
-/// The work that two symmetries and Carter's tensor allow is integrated beside the motion, so the
-/// balance does not hold by construction. Each step has an error of about 1e-15 of the largest
-/// component, and a flight some dozens of steps; 1e-12 leaves room for the flights that end deep
-/// inside, where the components grow.
+/// The engine's work is integrated beside the motion, so the balance does not hold by construction.
+/// Each step has an error of about 1e-15 of the largest component, and a flight some dozens of
+/// steps. The error is relative to the largest terms of which a constant is the sum: deep inside,
+/// terms of some hundreds cancel.
 #[test]
 fn thrust_of_random_programs_adds_what_it_must_to_energy_angular_momentum_and_carters_constant() {
     let mut random = Random::new();
     let (mut inside, mut worst) = (0, [0.0_f64; 3]);
     for flight in 0..300 {
         let mut ship = random_ship(&mut random);
+        // The terms of which the constants are sums: p_b = eta p + H (l.p) l.
         let size = |ship: &Ship| {
-            let constants = ship.constants();
             let place = ship.place();
-            [
-                constants.energy.abs().max(1.0),
-                constants.angular_momentum.abs().max(place.r),
-                constants.k_prime(&place).max(place.r * place.r),
-            ]
+            let u = ship.velocity();
+            let momentum = u.abs().max_element() + place.h * place.along_null(u).abs();
+            let arm = place.rho2().sqrt();
+            [momentum, arm * momentum, (arm * momentum).powi(2)]
         };
         let mut scale = size(&ship);
         for _ in 0..8 {
@@ -82,7 +81,8 @@ fn thrust_of_random_programs_adds_what_it_must_to_energy_angular_momentum_and_ca
 
 /// With the engine off, place and velocity are the geodesic's. The equations with the engine are
 /// then the independent ones, and the difference is that of two methods in two sets of
-/// coordinates.
+/// coordinates. Deep inside, where the axes have components of some tens, errors of a part in 1e15
+/// grow with the tide as the square of these. Elsewhere the square is about one.
 #[test]
 fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
     let mut random = Random::new();
@@ -106,12 +106,8 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
             .into_iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
         let error = (distance / coasting.place().r).max(clocks).max(turned / size);
-        if error > worst {
-            worst = error;
-            eprintln!("flight {flight}: {error:.1e}, r {} of spin {}", coasting.place().r, ship.kerr().spin);
-        }
+        worst = worst.max(error / (size*size));
     }
-    eprintln!("coasting against the equations with an engine: {worst:.1e}");
-    // Errors of a part in 1e15 grow along orbits that fall in, which diverge.
-    assert!(worst < 1e-11, "{worst:e}");
+    eprintln!("coasting against the equations with an engine, per square of the axes: {worst:.1e}");
+    assert!(worst < 1e-12, "{worst:e}");
 }

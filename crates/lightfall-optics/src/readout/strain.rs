@@ -14,6 +14,17 @@ use lightfall_model::scene::ObserverKind;
 /// and ln N with N^2 = Sigma Delta/A. Misner, Thorne & Wheeler 1973 exercise 23.1 in Schwarzschild;
 /// Thorne & MacDonald 1982 for ln N. `orbit` and `rain` fall freely.
 pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> f64 {
+    let [outward, along_theta] = held_acceleration_components(kerr, kind, r, theta);
+    outward.hypot(along_theta)
+}
+
+/// The two components of [`held_acceleration`]: outward, and toward growing theta.
+pub fn held_acceleration_components(
+    kerr: Kerr,
+    kind: ObserverKind,
+    r: f64,
+    theta: f64,
+) -> [f64; 2] {
     let (sin, cos) = polar_sin_cos(theta);
     let a2 = kerr.a().powi(2);
     let (sigma, delta) = (kerr.sigma(r, cos), kerr.delta(r));
@@ -34,9 +45,9 @@ pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> 
                 1.0 / r + 2.0 * r / (r * r + a2) - 2.0 * r / sigma - 2.0 * (r - MASS) / delta;
             [-0.5 * share * by_r, 0.5 * share * sigma_theta / sigma]
         }
-        ObserverKind::Orbit | ObserverKind::Rain => return 0.0,
+        ObserverKind::Orbit | ObserverKind::Rain => return [0.0; 2],
     };
-    (delta / sigma * by_r * by_r + by_theta * by_theta / sigma).sqrt()
+    [(delta / sigma).sqrt() * by_r, by_theta / sigma.sqrt()]
 }
 
 /// The largest tidal stretching, in c^2/r_s^2, of a body with the four-velocity `u` at radius `r`

@@ -9,10 +9,10 @@ const MIN_ROWS: usize = 3;
 /// A step that converged.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step<const N: usize> {
-    /// The last entry of the last row.
+    /// Where it leads: the last entry of the last row.
     pub(super) end: [f64; N],
-    /// The entry before it, of two orders less.
-    pub(super) before: [f64; N],
+    /// Its difference from the entry before it, of two orders less.
+    pub(super) difference: [f64; N],
     /// How many rows it took.
     pub(super) rows: usize,
 }
@@ -44,18 +44,15 @@ pub(super) fn step<const N: usize>(
             before = entry;
             let ratio = substeps(row) as f64 / substeps(row - j - 1) as f64;
             let weight = 1.0 / (ratio * ratio - 1.0);
-            let mut better = [0.0; N];
-            for i in 0..N {
-                better[i] = entry[i] + weight * (entry[i] - older[i]);
-            }
+            let better = std::array::from_fn(|i| entry[i] + weight * (entry[i] - older[i]));
             *older = entry;
             entry = better;
         }
         last_row[row] = entry;
         if row + 1 >= MIN_ROWS && agree(&entry, &before) {
             return Some(Step {
-                end: entry,
-                before,
+                end: sum(start, &entry),
+                difference: std::array::from_fn(|i| (entry[i] - before[i]).abs()),
                 rows: row + 1,
             });
         }
@@ -67,7 +64,8 @@ fn substeps(row: usize) -> usize {
     2 * (row + 1)
 }
 
-/// Gragg's modified midpoint method with its last smoothing step.
+/// The change in a step of Gragg's modified midpoint method with its last smoothing. It is added up
+/// apart from the start, so that rounding is relative to the change.
 fn midpoint<const N: usize>(
     start: &[f64; N],
     first: &[f64; N],
@@ -76,22 +74,19 @@ fn midpoint<const N: usize>(
     rate: &impl Fn(&[f64; N]) -> [f64; N],
 ) -> [f64; N] {
     let short = length / count as f64;
-    let moved = |from: &[f64; N], by: f64, rate: &[f64; N]| {
-        let mut to = *from;
-        for i in 0..N {
-            to[i] += by * rate[i];
-        }
-        to
-    };
-    let (mut old, mut new) = (*start, moved(start, short, first));
+    let (mut old, mut new) = ([0.0; N], scaled(first, short));
     for _ in 1..count {
-        let next = moved(&old, 2.0 * short, &rate(&new));
+        let next = sum(&old, &scaled(&rate(&sum(start, &new)), 2.0 * short));
         (old, new) = (new, next);
     }
-    let smoothed = moved(&new, short, &rate(&new));
-    let mut end = [0.0; N];
-    for i in 0..N {
-        end[i] = 0.5 * (old[i] + smoothed[i]);
-    }
-    end
+    let last = sum(&new, &scaled(&rate(&sum(start, &new)), short));
+    scaled(&sum(&old, &last), 0.5)
+}
+
+fn sum<const N: usize>(left: &[f64; N], right: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| left[i] + right[i])
+}
+
+fn scaled<const N: usize>(numbers: &[f64; N], factor: f64) -> [f64; N] {
+    numbers.map(|number| factor * number)
 }

@@ -9,8 +9,9 @@ use crate::geometry::timelike::{Geodesic, Limit};
 use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 
 /// Largest difference of the last two entries of a step's tableau, relative to the largest
-/// component of the axes. Rounding alone makes it about 1e-15.
-pub const DEFAULT_TOLERANCE: f64 = 1e-13;
+/// component of the axes. Since a step is added up apart from its start, rounding alone makes it
+/// less. Balances are ten times better than with 1e-13, for 12 % more evaluations.
+pub const DEFAULT_TOLERANCE: f64 = 3e-15;
 
 /// How much longer the next step is tried where one converged before the last row.
 const GROWTH: f64 = 1.5;
@@ -393,9 +394,7 @@ impl Ship {
     fn accept(&mut self, length: f64, step: &Step<NUMBERS>) {
         let mut end = State::of_numbers(&step.end);
         let difference = |range: std::ops::Range<usize>| {
-            range
-                .map(|i| (step.end[i] - step.before[i]).abs())
-                .fold(0.0, f64::max)
+            step.difference[range].iter().copied().fold(0.0, f64::max)
         };
         self.error.axes += difference(AXES) / largest(&end.frame);
         self.error.place += difference(PLACE) / end.place.yzw().length();

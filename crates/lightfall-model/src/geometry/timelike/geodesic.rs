@@ -123,6 +123,43 @@ impl Geodesic {
         }
         Some(Limit::Lost)
     }
+
+    /// Advances the particle to its next turning point, where u' changes its sign. If it reaches one
+    /// of the radii `[inner, outer]` (r_s) earlier, it stays near there. A turning point at the start
+    /// does not count.
+    pub fn advance_to_apsis(&mut self, [inner, outer]: [f64; 2]) -> Option<Limit> {
+        for _ in 0..MAX_STEPS {
+            let ParticleState { u, du, .. } = self.state;
+            if u >= 1.0 / inner && du >= 0.0 {
+                return Some(Limit::Inner);
+            }
+            if u <= 1.0 / outer && du <= 0.0 {
+                return Some(Limit::Outer);
+            }
+            let expansion = self.constants.expand(&self.state);
+            let reach = self.constants.reach(&expansion);
+            if !(reach > 0.0 && reach.is_finite()) {
+                return Some(Limit::Lost);
+            }
+            let turns = expansion.u.at(reach).1 * du < 0.0;
+            let step = if turns {
+                expansion.u.derivative().root(reach)
+            } else {
+                reach
+            };
+            let mut end = expansion.at(step);
+            if !(end.u > 0.0 && end.u.is_finite() && end.n.is_finite()) {
+                return Some(Limit::Lost);
+            }
+            end.n = end.n.normalize();
+            self.state = end;
+            if turns {
+                self.state.du = 0.0;
+                return None;
+            }
+        }
+        Some(Limit::Lost)
+    }
 }
 
 fn minus_constant(mut series: Taylor, constant: f64) -> Taylor {
