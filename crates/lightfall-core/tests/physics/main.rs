@@ -44,6 +44,7 @@ mod schwarzschild;
 mod shadow_edge;
 mod ship_errors;
 mod ship_flights;
+mod ship_frames;
 mod ship_gyroscopes;
 mod ship_scenes;
 mod ship_values;

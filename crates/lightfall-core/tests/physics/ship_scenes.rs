@@ -89,7 +89,7 @@ fn a_random_scene_that_becomes_a_ship_and_a_scene_again_shows_the_same_picture()
             Mount(before.camera.tetrad_from_camera())
         };
         let ship = board(&before, &mount).unwrap();
-        assert_eq!(disk_clock(&ship), 0.0, "{}", shown());
+        assert!(disk_clock(&ship).abs() < 1e-15 * ship.place().r.max(10.0), "{}", shown());
         let mut after = before.clone();
         write_scene(&ship, &mount, &mut after).unwrap();
         assert_eq!(after.check(), Ok(()), "{}", shown());
@@ -131,6 +131,7 @@ fn a_ship_that_coasts_is_the_scenes_observer_let_go() {
         let start = scene(spin, kind, velocity, r, theta_deg);
         let (mut fallen, mut flown) = (start.clone(), start.clone());
         let mut line = Worldline::start(&start).unwrap();
+        let zero = line.clock();
         line.advance(time, &mut fallen);
         let mut ship = board(&start, &Mount::NOSE).unwrap();
         ship.advance(&Controls::default(), time).unwrap();
@@ -142,7 +143,7 @@ fn a_ship_that_coasts_is_the_scenes_observer_let_go() {
             assert!((one - other).abs() < 1e-11, "{one} {other}");
         }
         // Both clocks are sums of the same series.
-        assert!((line.clock() - disk_clock(&ship)).abs() < 1e-11);
+        assert!((line.clock() - zero - disk_clock(&ship)).abs() < 1e-11);
         assert_eq!(line.coordinate_time().is_some(), Clocks::new(&ship).far.is_some());
         if let (Some(one), Some(other)) = (line.coordinate_time(), Clocks::new(&ship).far) {
             assert!((one - other).abs() < 1e-11, "{one} {other}");
@@ -216,7 +217,7 @@ fn the_prograde_marker_is_along_the_motion_and_continuous_through_the_horizon() 
             let opposite = Heading::Retrograde.direction(&ship).unwrap();
             assert_eq!(opposite, -direction);
         }
-        assert!(outside > 100 && inside > 20, "{outside} {inside}");
+        assert!(outside > 100 && inside > 10, "{outside} {inside}");
     }
 }
 

@@ -163,16 +163,23 @@ impl Flight {
         Ok(None)
     }
 
-    /// The controls of the orders, and for how long they stay.
+    /// The controls of the orders, and for how long they stay. Those that change are the ones of the
+    /// middle of the tick, where a ship with those of its start leads: so the flight differs from one
+    /// with controls that follow at once by the square of a tick.
     fn next_tick(&self) -> Result<Result<Tick, HoldRefusal>, ShipError> {
-        let acceleration = match self.wanted() {
-            Ok(wanted) => wanted.clamp_length_max(self.rocket.max_acceleration()),
+        let mut acceleration = match self.wanted(&self.ship) {
+            Ok(wanted) => wanted,
             Err(refusal) => return Ok(Err(refusal)),
         };
         let length = if self.orders.are_steady() {
             f64::INFINITY
         } else {
-            TICK / motion_rate(&self.ship)
+            let length = TICK / motion_rate(&self.ship);
+            let mut middle = self.ship;
+            middle.advance(&Controls { acceleration, rotation: DVec3::ZERO }, 0.5 * length)?;
+            // A hold that is refused so soon is refused at the next tick.
+            acceleration = self.wanted(&middle).unwrap_or(acceleration);
+            length
         };
         // The tank empties at the end of a tick.
         let length = length.min(self.rocket.time_left(acceleration.length()));
@@ -189,16 +196,19 @@ impl Flight {
         }))
     }
 
-    /// The acceleration that the orders want.
-    fn wanted(&self) -> Result<DVec3, HoldRefusal> {
-        Ok(match self.orders.thrust {
+    /// The acceleration that the orders want of a ship, as far as the engine gives it.
+    fn wanted(&self, ship: &Ship) -> Result<DVec3, HoldRefusal> {
+        let wanted = match self.orders.thrust {
             Thrust::Off => DVec3::ZERO,
             Thrust::Axes(acceleration) => acceleration,
             Thrust::Along(heading, size) => heading
-                .direction(&self.ship)
+                .direction(ship)
                 .map_or(DVec3::ZERO, |direction| size * direction),
-            Thrust::Hold(hold, most) => hold.acceleration(&self.ship, most)?,
-        })
+            Thrust::Hold(hold, most) => {
+                hold.acceleration(ship, most.min(self.rocket.max_acceleration()))?
+            }
+        };
+        Ok(wanted.clamp_length_max(self.rocket.max_acceleration()))
     }
 
     /// The rotation with which the nose is at the heading when the tick ends. Where the heading will
