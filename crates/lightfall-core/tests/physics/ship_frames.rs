@@ -59,7 +59,6 @@ fn flights_in_30_60_and_144_frames_a_second_end_at_the_same_place() {
     for flight in &ends {
         let distance =
             (flight.ship.place().position - ends[0].ship.place().position).length();
-        eprintln!("{distance:e} {} {}", flight.ship.place().r, flight.rocket.used());
         // A thousandth of the bar, which is 1e-9 r_s: nothing but rounding differs.
         assert!(distance < 1e-12, "{distance:e}");
         assert!((flight.rocket.used() - ends[0].rocket.used()).abs() < 1e-12);
@@ -67,18 +66,21 @@ fn flights_in_30_60_and_144_frames_a_second_end_at_the_same_place() {
     }
 }
 
+/// The circle at 1.6 r_s is unstable: what is off grows by e^2 in a turn. Held with thrust off by
+/// the square of a tick, the ship keeps its radius, for little fuel.
 #[test]
 fn the_orbit_hold_keeps_an_unstable_circle_for_almost_nothing() {
-    let mut flight = flight(0.0, ObserverKind::Orbit, 1.6, 1.0);
+    let mut flight = flight(0.0, ObserverKind::Orbit, 1.61, 1.0);
     flight.order(thrust(Thrust::Hold(Hold::Orbit(1.6), 2.0)));
     // A turn takes 4.5 r_s/c of own time.
     let period = std::f64::consts::TAU * 1.6 * (2.0 * (1.6 - 1.5_f64)).sqrt();
+    flight.advance(3.0 * period).unwrap();
+    let before = flight.rocket.used();
     flight.advance(10.0 * period).unwrap();
-    let (off, used) = (flight.ship.place().r - 1.6, flight.rocket.used());
+    let (off, used) = (flight.ship.place().r - 1.6, flight.rocket.used() - before);
     eprintln!("orbit hold: off by {off:.1e} after ten turns, for the rapidity {used:.1e}");
-    // The tick's square times the relative size of the deviation; measured 1e-8.
-    assert!(off.abs() < 1e-7, "{off:e}");
-    assert!(used < 3e-4, "{used:e}");
+    assert!(off.abs() < 1e-6, "{off:e}");
+    assert!(used < 1e-3, "{used:e}");
 }
 
 #[test]

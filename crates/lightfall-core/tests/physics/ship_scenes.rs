@@ -48,7 +48,7 @@ fn random_scene(random: &mut Random) -> Scene {
     camera.pitch_deg = random.between(-90.0, 90.0);
     camera.roll_deg = random.between(-180.0, 180.0);
     if spin == 0.0 {
-        scene.disk.tilt_deg = random.between(-90.0, 90.0);
+        scene.disk.tilt_deg = random.between(0.0, 180.0);
         scene.disk.node_deg = random.between(-180.0, 180.0);
     }
     scene

@@ -89,10 +89,9 @@ fn thrust_that_holds_a_ship_has_the_size_of_the_closed_form() {
         assert_near("needed", needed, expected[0].hypot(expected[1]), FLOWN);
         let mut flight = hold(held, ship);
         assert_eq!(flight.advance(0.5), Ok(None));
-        // Constant thrust for a tick of 0.02 misses by its square.
-        eprintln!("{:e} {:e}", flight.ship.place().r - r, flight.ship.place().theta() - theta);
-        assert_near("r", flight.ship.place().r, r, 1e-4);
-        assert_near("theta", flight.ship.place().theta(), theta, 1e-4);
+        // Constant thrust for a tick of 0.02 misses by its square, 4e-4 of a radian, and a hold takes most of that back.
+        assert_near("r", flight.ship.place().r, r, 2e-5);
+        assert_near("theta", flight.ship.place().theta(), theta, 2e-5);
     }
 }
 
@@ -218,10 +217,9 @@ fn gyroscopes_turn_by_the_published_angles() {
     let before = attitude(&ship, &scene);
     let mut flight = hold(Hold::Hover(3.0), ship);
     flight.advance(20.0).unwrap();
-    eprintln!("hover {:e}", flight.ship.place().r - 3.0);
     let turn = DQuat::from_mat3(&(attitude(&flight.ship, &scene) * before.transpose()));
-    // The hold keeps the place to 1e-6.
-    assert_near("rate", turn.to_scaled_axis().y / 20.0, 0.0125, 1e-7);
+    // The hold keeps the place to the square of a tick, some 1e-6.
+    assert_near("rate", turn.to_scaled_axis().y / 20.0, 0.0125, 2e-6);
 }
 
 /// A ship in the equator with these constants, that moves inward.

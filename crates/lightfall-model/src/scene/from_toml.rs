@@ -93,7 +93,7 @@ pub(super) fn table(text: &str) -> Result<Table, SceneFault> {
 }
 
 /// A fault of TOML with the line and column where it was noticed.
-fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
+pub(super) fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
     let at = error.span().map_or(0, |span| span.start.min(text.len()));
     let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);

@@ -28,6 +28,7 @@ mod limits;
 mod load;
 mod matter;
 mod method;
+pub mod mission;
 mod pose;
 pub mod presets;
 mod projection;

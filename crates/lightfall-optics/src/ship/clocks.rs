@@ -1,6 +1,6 @@
 //! The clocks of a ship and of its home, and the light between them.
 
-use lightfall_model::geometry::kerr::Kerr;
+use super::pose::radius;
 use lightfall_model::geometry::ship::Ship;
 
 /// The radius of the shell of clocks at rest that is the ship's home, in r_s.
@@ -34,12 +34,12 @@ impl Clocks {
     /// The clocks of a ship.
     ///
     /// Light that falls in keeps v along the principal null rays, and light that goes out keeps t -
-    /// r*, with r* = [`Kerr::ingoing_time_lead`]. Per unit E the ship measures the frequency l.u of
+    /// r*, with r* = [`ingoing_time_lead`](lightfall_model::geometry::kerr::Kerr::ingoing_time_lead). Per unit E the ship measures the frequency l.u of
     /// the former and (P - V)/Delta of the latter (Misner, Thorne & Wheeler 1973 eq. 33.39; Carter
     /// 1968), and home sqrt(1 - 1/r).
     pub fn new(ship: &Ship) -> Self {
         let (kerr, place, constants) = (ship.kerr(), ship.place(), ship.constants());
-        let r = place.r;
+        let r = radius(kerr, place.r);
         let outside = r > kerr.horizon();
         let lead = |r: f64| kerr.ingoing_time_lead(r);
         let far = outside.then(|| ship.time() + r - lead(r));
@@ -80,6 +80,7 @@ impl Clocks {
 /// ([`Worldline::clock`](crate::worldline::Worldline::clock)): outside the horizon
 /// Boyer-Lindquist's t, and at and inside it Kerr's ingoing time v.
 pub fn disk_clock(ship: &Ship) -> f64 {
-    let (kerr, r): (Kerr, f64) = (ship.kerr(), ship.place().r);
+    let kerr = ship.kerr();
+    let r = radius(kerr, ship.place().r);
     ship.time() + r - kerr.camera_time_lead(r)
 }

@@ -82,6 +82,7 @@ pub struct Flight {
     pub nose: DVec3,
     orders: Orders,
     tick: Option<Tick>,
+    acceleration: DVec3,
     turned: f64,
 }
 
@@ -94,6 +95,7 @@ impl Flight {
             nose: DVec3::X,
             orders: Orders::COAST,
             tick: None,
+            acceleration: DVec3::ZERO,
             turned: 0.0,
         }
     }
@@ -108,12 +110,14 @@ impl Flight {
         if orders != self.orders {
             (self.orders, self.tick) = (orders, None);
         }
+        if orders.thrust == Thrust::Off {
+            self.acceleration = DVec3::ZERO;
+        }
     }
 
     /// The proper acceleration of the engine now, in c^2/r_s on the ship's axes.
     pub fn acceleration(&self) -> DVec3 {
-        self.tick
-            .map_or(DVec3::ZERO, |tick| tick.controls.acceleration)
+        self.acceleration
     }
 
     /// By how much the ship was turned against its gyroscopes so far, by hand or by `face`, in
@@ -146,6 +150,7 @@ impl Flight {
                     }
                 },
             };
+            self.acceleration = tick.controls.acceleration;
             let length = left.min(tick.left);
             let before = self.ship.proper_time();
             let limit = self.ship.advance(&tick.controls, length)?;

@@ -121,7 +121,7 @@ pub fn write_scene(ship: &Ship, mount: &Mount, scene: &mut Scene) -> Result<(), 
 
 /// The radius as a scene has it: within the limits of motion, and exactly the horizon's where it
 /// differs from it by rounding.
-fn radius(kerr: Kerr, r: f64) -> f64 {
+pub(super) fn radius(kerr: Kerr, r: f64) -> f64 {
     let horizon = kerr.horizon();
     if (r / horizon - 1.0).abs() <= HORIZON_ROUNDING {
         horizon

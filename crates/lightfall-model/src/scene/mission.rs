@@ -1,0 +1,87 @@
+//! A mission: a flight with goals for a ship with an engine. Plain data.
+//!
+//! A mission starts from a built-in preset with another hole and another observer. Its goals are
+//! conditions on physical quantities, in order. docs/FLIGHT.md gives the equations of the flight.
+
+mod condition;
+mod error;
+mod load;
+mod text;
+
+pub use condition::{Comparison, Condition, Quantity};
+pub use error::MissionError;
+pub use load::load;
+pub use text::{
+    Better, Burn, Caption, Course, Ending, Fail, Goal, Hint, HoleOfMission, Par, Push, Question, Ship,
+    Start, Until,
+};
+
+use super::Scene;
+use super::presets::Preset;
+
+/// A mission.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mission {
+    /// Its name: letters, digits and hyphens.
+    pub name: String,
+    /// One line for lists.
+    pub title: String,
+    /// The preset that it starts from.
+    pub preset: &'static Preset,
+    /// The hole.
+    pub hole: HoleOfMission,
+    /// The ship.
+    pub ship: Ship,
+    /// Where and how the ship starts.
+    pub start: Start,
+    /// What to do, in one or two sentences.
+    pub brief: String,
+    /// What a teacher can show with it.
+    pub teaches: String,
+    /// What to reach, in order.
+    pub goals: Vec<Goal>,
+    /// What ends the mission without success.
+    pub fails: Vec<Fail>,
+    /// What to say on the way.
+    pub captions: Vec<Caption>,
+    /// What to say after failed attempts.
+    pub hints: Vec<Hint>,
+    /// What to ask a class.
+    pub questions: Vec<Question>,
+    /// What a good flight needs.
+    pub pars: Vec<Par>,
+    /// What the card at the end says.
+    pub ending: Ending,
+    /// How to reach the goals. Tests fly it, and players never see it.
+    pub solution: Vec<Burn>,
+    scene: Scene,
+}
+
+impl Mission {
+    /// The scene in which the ship starts, facing the hole.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+}
+
+macro_rules! missions {
+    ($($name:literal),* $(,)?) => {
+        [$((
+            $name,
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/missions/", $name, ".toml")),
+        )),*]
+    };
+}
+
+/// Names and texts of the built-in missions, part of the program itself, in the order in which they
+/// are offered.
+pub const MISSIONS: [(&str, &str); 8] = missions![
+    "two-burns",
+    "weight",
+    "gyroscope",
+    "graze",
+    "ten-years",
+    "sample",
+    "penrose",
+    "longest",
+];

@@ -1,0 +1,59 @@
+//! What can be wrong with the text of a mission, each in one sentence.
+
+use crate::scene::error::{SceneError, SceneFault};
+use crate::scene::presets::PRESETS;
+use thiserror::Error;
+
+/// Why a text is not a mission.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{origin}: {fault}")]
+pub struct MissionError {
+    /// The mission's file.
+    pub origin: String,
+    /// What is wrong.
+    pub fault: Fault,
+}
+
+/// What is wrong with the text of a mission. Tables count from 1.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Fault {
+    /// The text is not TOML, of another version, or has an unknown key or a value of another type.
+    #[error(transparent)]
+    Text(#[from] SceneFault),
+    /// A preset that is not one of the built-in ones.
+    #[error(
+        "preset = {given:?} is refused: it must be the name or the number of a built-in preset: {}",
+        PRESETS.map(|preset| format!("{} {}", preset.number, preset.name)).join(", ")
+    )]
+    Preset { given: String },
+    /// The start is not a scene.
+    #[error("the start of the mission is refused: {0}")]
+    Start(SceneError),
+    /// A number out of range.
+    #[error("{key} = {given} is refused: it must be {allowed}")]
+    Number {
+        key: String,
+        given: String,
+        allowed: &'static str,
+    },
+    /// A name or a title that is no line of text.
+    #[error("{key} = {given:?} is refused: it must be {allowed}")]
+    Line {
+        key: String,
+        given: String,
+        allowed: &'static str,
+    },
+    /// A table that needs conditions has none.
+    #[error("{table} {number} has no condition; it needs all = [\"r <= 1.6\"], for example")]
+    NoCondition { table: &'static str, number: usize },
+    /// A mission without a goal.
+    #[error("a mission needs at least one table [[goal]], with text and all")]
+    NoGoal,
+    /// A part of a solution with too many or too few of some keys.
+    #[error("solution {number} has {found}; it needs exactly one of {needed}")]
+    Choice {
+        number: usize,
+        found: String,
+        needed: &'static str,
+    },
+}
