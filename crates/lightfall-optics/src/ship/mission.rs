@@ -50,6 +50,8 @@ pub struct Attempt {
     /// Since when the conditions of the next goal hold, in own time.
     held_since: Option<f64>,
     outcome: Outcome,
+    /// The flight at the moment when the last goal was reached.
+    success: Option<Voyage>,
 }
 
 impl From<Course> for Heading {
@@ -89,12 +91,18 @@ impl Attempt {
             voyage,
             reached: Vec::new(),
             outcome: Outcome::UnderWay(0),
+            success: None,
         })
     }
 
     /// The flight and its quantities.
     pub fn voyage(&self) -> &Voyage {
         &self.voyage
+    }
+
+    /// The flight at the moment of success, which the result is that of.
+    pub fn success(&self) -> Option<&Voyage> {
+        self.success.as_ref()
     }
 
     /// How the attempt stands.
@@ -162,6 +170,9 @@ impl Attempt {
             from = from.at(time)?;
             let after = self.mission.goals.get(next + 1);
             self.outcome = after.map_or(Outcome::Success, |_| Outcome::UnderWay(next + 1));
+            if self.outcome == Outcome::Success {
+                self.success = Some(from);
+            }
             let holds = after.is_some_and(|goal| from.meets(&goal.all));
             self.held_since = holds.then_some(time);
         }
