@@ -26,7 +26,12 @@ fn random_ship(random: &mut Random) -> Ship {
     } else {
         random.between(-1.0, 1.0).acos()
     };
-    ship(spin, r, theta, random.between(0.0, 0.9) * random.direction())
+    ship(
+        spin,
+        r,
+        theta,
+        random.between(0.0, 0.9) * random.direction(),
+    )
 }
 
 fn random_controls(random: &mut Random, r: f64) -> Controls {
@@ -100,13 +105,18 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
         let distance = (driven.place().position - coasting.place().position).length();
         let clocks = (driven.time() - coasting.time()).abs() / (1.0 + coasting.time().abs());
         let axes = coasting.frame();
-        let size = axes.to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let size = axes
+            .to_cols_array()
+            .into_iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
         let turned = (driven.frame() - axes)
             .to_cols_array()
             .into_iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
-        let error = (distance / coasting.place().r).max(clocks).max(turned / size);
-        worst = worst.max(error / (size*size));
+        let error = (distance / coasting.place().r)
+            .max(clocks)
+            .max(turned / size);
+        worst = worst.max(error / (size * size));
     }
     eprintln!("coasting against the equations with an engine, per square of the axes: {worst:.1e}");
     assert!(worst < 1e-12, "{worst:e}");

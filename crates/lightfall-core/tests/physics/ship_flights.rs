@@ -5,7 +5,9 @@
 use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
-use lightfall_core::geometry::ship::{Controls, Place, Ship, ShipError, boost, components, rain_axes};
+use lightfall_core::geometry::ship::{
+    Controls, Place, Ship, ShipError, boost, components, rain_axes,
+};
 use lightfall_core::geometry::sphere::celestial_frame;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -171,7 +173,10 @@ fn what_is_not_a_ship_is_refused_in_words() {
     let limits = [min_infall_radius(kerr), 1e7];
     let deep = Place::at(kerr, 0.05, DVec3::X);
     let said = |result: Result<Ship, ShipError>| result.unwrap_err().to_string();
-    assert!(said(Ship::new(&deep, 0.0, &axes, limits)).contains("the ship is at r = 0.05; it must be from"));
+    assert!(
+        said(Ship::new(&deep, 0.0, &axes, limits))
+            .contains("the ship is at r = 0.05; it must be from")
+    );
     assert!(said(Ship::new(&place, 0.0, &DMat4::ZERO, limits)).contains("not orthonormal"));
     assert!(said(Ship::new(&place, f64::NAN, &axes, limits)).contains("not orthonormal"));
     let mut ship = Ship::new(&place, 0.0, &axes, limits).unwrap();
@@ -179,7 +184,11 @@ fn what_is_not_a_ship_is_refused_in_words() {
     let refusal = ship
         .advance(&controls([f64::NAN, 0.0, 0.0], [0.0; 3]), 1.0)
         .unwrap_err();
-    assert!(refusal.to_string().contains("acceleration is [NaN, 0.0, 0.0]"));
+    assert!(
+        refusal
+            .to_string()
+            .contains("acceleration is [NaN, 0.0, 0.0]")
+    );
     assert!(ship.advance(&Controls::default(), -1.0).is_err());
     assert!(ship.with_tolerance(1.0).is_err());
     assert_eq!(ship, before, "a refusal changes nothing");

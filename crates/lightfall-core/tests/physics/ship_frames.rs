@@ -57,8 +57,7 @@ fn flights_in_30_60_and_144_frames_a_second_end_at_the_same_place() {
         flight
     });
     for flight in &ends {
-        let distance =
-            (flight.ship.place().position - ends[0].ship.place().position).length();
+        let distance = (flight.ship.place().position - ends[0].ship.place().position).length();
         // A thousandth of the bar, which is 1e-9 r_s: nothing but rounding differs.
         assert!(distance < 1e-12, "{distance:e}");
         assert!((flight.rocket.used() - ends[0].rocket.used()).abs() < 1e-12);
@@ -89,7 +88,11 @@ fn a_hold_takes_a_ship_from_rest_to_an_orbit_and_back() {
     flight.order(thrust(Thrust::Hold(Hold::Orbit(6.0), 0.3)));
     flight.advance(400.0).unwrap();
     // Away from its radius a hold follows it with 2 t_c, so that after 400 r_s/c nothing is left.
-    assert!((flight.ship.place().r - 6.0).abs() < 1e-4, "{}", flight.ship.place().r);
+    assert!(
+        (flight.ship.place().r - 6.0).abs() < 1e-4,
+        "{}",
+        flight.ship.place().r
+    );
     flight.order(thrust(Thrust::Hold(Hold::Hover(7.0), 0.3)));
     flight.advance(400.0).unwrap();
     let place = flight.ship.place();

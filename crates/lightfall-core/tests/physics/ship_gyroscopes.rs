@@ -55,9 +55,9 @@ fn on_ship(ship: &Ship) -> [DVec3; 3] {
     let place = ship.place();
     let frame = ship.frame();
     let axes = [frame.y_axis, frame.z_axis, frame.w_axis].map(|e| on_carters_frame(&place, e));
-    marck(ship).0.map(|vector| {
-        DVec3::from_array(axes.map(|axis| minkowski(axis, vector)))
-    })
+    marck(ship)
+        .0
+        .map(|vector| DVec3::from_array(axes.map(|axis| minkowski(axis, vector))))
 }
 
 #[test]
@@ -79,19 +79,26 @@ fn gyroscopes_keep_their_place_in_marcks_frame() {
             for &(node, weight) in &nodes {
                 let at = length * (f64::from(piece) + node);
                 assert_eq!(
-                    ship.advance(&Controls::default(), at - ship.proper_time()).unwrap(),
+                    ship.advance(&Controls::default(), at - ship.proper_time())
+                        .unwrap(),
                     None
                 );
                 angle += weight * length * marck(&ship).1;
             }
         }
-        ship.advance(&Controls::default(), time - ship.proper_time()).unwrap();
+        ship.advance(&Controls::default(), time - ship.proper_time())
+            .unwrap();
         let after = on_ship(&ship);
         let [first, second, third] = before;
         let turned = angle.cos() * first + angle.sin() * third;
         // Rounding of some hundred steps, and of the quadrature of the angle.
-        let error = (after[1] - second).length().max((after[0] - turned).length());
+        let error = (after[1] - second)
+            .length()
+            .max((after[0] - turned).length());
         eprintln!("Marck, spin {spin}: angle {angle:.3}, error {error:.1e}");
-        assert!(error < 1e-12, "spin {spin}: {error:e}, {before:?} {after:?} {angle} {third:?}");
+        assert!(
+            error < 1e-12,
+            "spin {spin}: {error:e}, {before:?} {after:?} {angle} {third:?}"
+        );
     }
 }

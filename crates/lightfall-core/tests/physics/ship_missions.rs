@@ -2,7 +2,7 @@
 
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::optics::ship::{Attempt, Event, Hold, Orders, Outcome, Thrust, fly};
-use lightfall_core::scene::mission::{Better, Burn, MISSIONS, Mission, Push, Quantity, load};
+use lightfall_core::scene::mission::{Burn, MISSIONS, Mission, Push, Quantity, load};
 
 fn missions() -> Vec<Mission> {
     MISSIONS
@@ -21,6 +21,7 @@ fn without_last_burn(solution: &[Burn]) -> Option<Vec<Burn>> {
 
 #[test]
 fn solutions_reach_every_goal_and_do_not_without_their_last_burn() {
+    let mut faults = Vec::new();
     for mission in missions() {
         let mut attempt = Attempt::new(&mission).unwrap();
         let outcome = fly(&mut attempt, &mission.solution);
@@ -39,21 +40,27 @@ fn solutions_reach_every_goal_and_do_not_without_their_last_burn() {
             quantity(Quantity::LifeInside),
             voyage.flight.ship.error().stated(),
         );
-        assert_eq!(outcome, Ok(Outcome::Success), "{}", mission.name);
+        if outcome != Ok(Outcome::Success) {
+            faults.push(format!("{}: {outcome:?}", mission.name));
+        }
         for par in &mission.pars {
             // Pars are what these solutions need, in three digits.
             let found = quantity(par.quantity);
-            let is_near = (found / par.value - 1.0).abs() < 0.01;
-            assert!(is_near, "{}: {} {found}", mission.name, par.quantity.word());
-            assert!(matches!(par.better, Better::Less | Better::More));
+            let is_near = (found / par.value - 1.0).abs() < 0.005;
+            if !is_near {
+                faults.push(format!("{}: {} {found}", mission.name, par.quantity.word()));
+            }
         }
         if let Some(rest) = without_last_burn(&mission.solution) {
             let mut attempt = Attempt::new(&mission).unwrap();
             let outcome = fly(&mut attempt, &rest);
             eprintln!("  without: {outcome:?}");
-            assert_ne!(outcome, Ok(Outcome::Success), "{}", mission.name);
+            if outcome == Ok(Outcome::Success) {
+                faults.push(format!("{}: success without the last burn", mission.name));
+            }
         }
     }
+    assert!(faults.is_empty(), "{faults:#?}");
 }
 
 /// The moments are found by bisection, and holds command in ticks of their own.
@@ -112,15 +119,51 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
     };
     for (from, to, words) in [
         ("brief =", "breif =", ["line 9", "unknown field `breif`"]),
-        ("\"r <= 1.6\"", "\"radius <= 1.6\"", ["names no quantity of a flight", "periapsis"]),
-        ("\"r <= 1.6\"", "\"r = 1.6\"", ["is not a condition", "line"]),
-        ("exhaust = 1.0", "exhaust = 1.5", ["ship.exhaust = 1.5 is refused", "at most 1"]),
-        ("preset = \"close\"", "preset = \"near\"", ["preset = \"near\" is refused", "4 close"]),
-        ("r = 20.0", "r = 0.5", ["camera.r = 0.5", "outside the horizon"]),
-        ("observer = \"static\"", "observer = \"still\"", ["unknown variant `still`", "`static`"]),
-        ("schema = 1", "schema = 2", ["schema = 2", "another version"]),
-        ("name = \"graze\"", "name = \"Graze!\"", ["name = \"Graze!\"", "small letters"]),
-        ("until = \"r <= 8\"", "until = \"r <= 8\"\nfor = 3", ["solution 2 has several", "until and for"]),
+        (
+            "\"r <= 1.6\"",
+            "\"radius <= 1.6\"",
+            ["names no quantity of a flight", "periapsis"],
+        ),
+        (
+            "\"r <= 1.6\"",
+            "\"r = 1.6\"",
+            ["is not a condition", "line"],
+        ),
+        (
+            "exhaust = 1.0",
+            "exhaust = 1.5",
+            ["ship.exhaust = 1.5 is refused", "at most 1"],
+        ),
+        (
+            "preset = \"close\"",
+            "preset = \"near\"",
+            ["preset = \"near\" is refused", "4 close"],
+        ),
+        (
+            "r = 20.0",
+            "r = 0.5",
+            ["camera.r = 0.5", "outside the horizon"],
+        ),
+        (
+            "observer = \"static\"",
+            "observer = \"still\"",
+            ["unknown variant `still`", "`static`"],
+        ),
+        (
+            "schema = 1",
+            "schema = 2",
+            ["schema = 2", "another version"],
+        ),
+        (
+            "name = \"graze\"",
+            "name = \"Graze!\"",
+            ["name = \"Graze!\"", "small letters"],
+        ),
+        (
+            "until = \"r <= 8\"",
+            "until = \"r <= 8\"\nfor = 3",
+            ["solution 2 has several", "until and for"],
+        ),
     ] {
         let message = said(from, to);
         for word in words {
@@ -135,7 +178,10 @@ fn missions_have_their_files_names_and_texts_without_repetition() {
     let missions = missions();
     for (mission, (name, _)) in missions.iter().zip(MISSIONS) {
         assert_eq!(mission.name, name);
-        assert!(!mission.teaches.is_empty() && !mission.hints.is_empty(), "{name}");
+        assert!(
+            !mission.teaches.is_empty() && !mission.hints.is_empty(),
+            "{name}"
+        );
         let same = missions.iter().filter(|other| other.title == mission.title);
         assert_eq!(same.count(), 1, "{name}");
     }

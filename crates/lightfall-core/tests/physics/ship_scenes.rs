@@ -80,8 +80,13 @@ fn a_random_scene_that_becomes_a_ship_and_a_scene_again_shows_the_same_picture()
     for case in 0..2000 {
         let before = random_scene(&mut random);
         let shown = || {
-            let Scene { camera, observer, .. } = &before;
-            format!("case {case}: {camera:?} {observer:?} spin {}", before.hole.spin)
+            let Scene {
+                camera, observer, ..
+            } = &before;
+            format!(
+                "case {case}: {camera:?} {observer:?} spin {}",
+                before.hole.spin
+            )
         };
         let mount = if random.one_in(2) {
             Mount::NOSE
@@ -102,9 +107,16 @@ fn a_random_scene_that_becomes_a_ship_and_a_scene_again_shows_the_same_picture()
         let place = (new.r / old.r - 1.0)
             .abs()
             .max((new.theta_deg - old.theta_deg).to_radians().abs())
-            .max(wrap_degrees(new.phi_deg - old.phi_deg).to_radians().abs() * ship.place().sin_theta());
+            .max(
+                wrap_degrees(new.phi_deg - old.phi_deg).to_radians().abs()
+                    * ship.place().sin_theta(),
+            );
         assert!(place < 1e-13, "{}: {place:e}", shown());
-        let most = |photon: &Photon| numbers(photon).into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let most = |photon: &Photon| {
+            numbers(photon)
+                .into_iter()
+                .fold(0.0, |most: f64, x| most.max(x.abs()))
+        };
         let (old_photons, new_photons) = (photons(&before), photons(&after));
         let scale = old_photons.iter().map(most).fold(1.0, f64::max);
         for (old, new) in old_photons.iter().zip(&new_photons) {
@@ -149,7 +161,10 @@ fn a_ship_that_coasts_is_the_scenes_observer_let_go() {
         }
         // Both clocks are sums of the same series.
         assert!((line.clock() - zero - disk_clock(&ship)).abs() < 1e-11);
-        assert_eq!(line.coordinate_time().is_some(), Clocks::new(&ship).far.is_some());
+        assert_eq!(
+            line.coordinate_time().is_some(),
+            Clocks::new(&ship).far.is_some()
+        );
         if let (Some(one), Some(other)) = (line.coordinate_time(), Clocks::new(&ship).far) {
             assert!((one - other).abs() < 1e-11, "{one} {other}");
         }
@@ -161,7 +176,12 @@ fn a_ship_that_coasts_is_the_scenes_observer_let_go() {
 /// A central difference over 2e-4 has an error of about 1e-9.
 #[test]
 fn the_light_between_ship_and_home_is_shifted_as_their_clocks_say() {
-    for (spin, r, theta_deg) in [(0.0, 5.0, 60.0), (0.9, 3.0, 0.0), (0.0, 0.7, 90.0), (0.0, 1500.0, 90.0)] {
+    for (spin, r, theta_deg) in [
+        (0.0, 5.0, 60.0),
+        (0.9, 3.0, 0.0),
+        (0.0, 0.7, 90.0),
+        (0.0, 1500.0, 90.0),
+    ] {
         let start = scene(spin, ObserverKind::Rain, [0.4, 0.0, 0.0], r, theta_deg);
         let mut ship = board(&start, &Mount::NOSE).unwrap();
         let push = controls([0.3 / r, 0.0, 0.0], [0.0; 3]);
@@ -174,12 +194,19 @@ fn the_light_between_ship_and_home_is_shifted_as_their_clocks_say() {
         let [before, now, after] = clocks;
         let home = (1.0 - 1.0 / HOME_RADIUS).sqrt();
         let seen = (after.home_seen - before.home_seen) / (2.0 * h);
-        assert!((seen * home - now.home_light).abs() < 1e-7, "{seen} {}", now.home_light);
+        assert!(
+            (seen * home - now.home_light).abs() < 1e-7,
+            "{seen} {}",
+            now.home_light
+        );
         assert_eq!(now.far.is_some(), r > 1.0);
         if let (Some(light), Some(rate)) = (now.own_light, now.far_rate) {
             let arrival = |clocks: &Clocks| clocks.far.unwrap() + clocks.signal_delay.unwrap();
             let arriving = (arrival(&after) - arrival(&before)) / (2.0 * h);
-            assert!((1.0 / (arriving * home) - light).abs() < 1e-7, "{arriving} {light}");
+            assert!(
+                (1.0 / (arriving * home) - light).abs() < 1e-7,
+                "{arriving} {light}"
+            );
             let far = (after.far.unwrap() - before.far.unwrap()) / (2.0 * h);
             assert!((far - rate).abs() < 1e-7, "{far} {rate}");
         }
@@ -204,7 +231,11 @@ fn the_prograde_marker_is_along_the_motion_and_continuous_through_the_horizon() 
             let direction = marker(&ship);
             // The direction turns with the rate of the motion, some tens of radians per r_s/c.
             let jump = (direction - last).length();
-            assert!(jump < 60.0 * step, "spin {spin}, r {}: {jump}", ship.place().r);
+            assert!(
+                jump < 60.0 * step,
+                "spin {spin}, r {}: {jump}",
+                ship.place().r
+            );
             last = direction;
             let place = ship.place();
             if let Some(zamo) = zamo_axes(&place, 0.0) {

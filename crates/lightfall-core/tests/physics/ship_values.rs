@@ -26,13 +26,19 @@ const FLOWN: f64 = 2e-9;
 #[track_caller]
 fn assert_digits(what: &str, found: f64, expected: f64) {
     let error = (found - expected).abs();
-    assert!(error < LAST_DIGIT, "{what}: found {found:.12}, expected {expected}");
+    assert!(
+        error < LAST_DIGIT,
+        "{what}: found {found:.12}, expected {expected}"
+    );
 }
 
 #[track_caller]
 fn assert_near(what: &str, found: f64, expected: f64, tolerance: f64) {
     let error = (found - expected).abs();
-    assert!(error < tolerance, "{what}: found {found:.12}, expected {expected}, off by {error:e}");
+    assert!(
+        error < tolerance,
+        "{what}: found {found:.12}, expected {expected}, off by {error:e}"
+    );
 }
 
 /// A ship like the scene's observer, whose nose points inward.
@@ -58,7 +64,11 @@ fn hold(hold: Hold, ship: Ship) -> Flight {
 
 #[test]
 fn thrust_that_holds_a_ship_has_the_size_of_the_closed_form() {
-    for (r, expected) in [(1.5, 0.3849001795), (2.0, 0.1767766953), (3.0, 0.0680413817)] {
+    for (r, expected) in [
+        (1.5, 0.3849001795),
+        (2.0, 0.1767766953),
+        (3.0, 0.0680413817),
+    ] {
         let kind = ObserverKind::Static;
         let [held, _] = held_acceleration_components(Kerr { spin: 0.0 }, kind, r, FRAC_PI_2);
         assert_digits("hover", held, expected);
@@ -76,7 +86,12 @@ fn thrust_that_holds_a_ship_has_the_size_of_the_closed_form() {
     }
     for (kind, r, theta_deg, expected) in [
         (ObserverKind::Static, 1.2, 90.0, [1.1548728034, 0.0]),
-        (ObserverKind::Static, 1.2, 60.0, [0.8736964087, -0.1989396449]),
+        (
+            ObserverKind::Static,
+            1.2,
+            60.0,
+            [0.8736964087, -0.1989396449],
+        ),
         (ObserverKind::Zamo, 0.8, 90.0, [1.6680647459, 0.0]),
     ] {
         let theta = f64::to_radians(theta_deg);
@@ -84,7 +99,11 @@ fn thrust_that_holds_a_ship_has_the_size_of_the_closed_form() {
         assert_digits("outward", found[0], expected[0]);
         assert_digits("along theta", found[1], expected[1]);
         let ship = ship(0.9, kind, [0.0; 3], r, theta_deg);
-        let held = if kind == ObserverKind::Static { Hold::Hover(r) } else { Hold::Zamo(r) };
+        let held = if kind == ObserverKind::Static {
+            Hold::Hover(r)
+        } else {
+            Hold::Zamo(r)
+        };
         let needed = held.acceleration(&ship, 100.0).unwrap().length();
         assert_near("needed", needed, expected[0].hypot(expected[1]), FLOWN);
         let mut flight = hold(held, ship);
@@ -112,11 +131,17 @@ fn falls_last_as_long_as_the_closed_forms_say() {
     }
     let mut at_horizon = ship(0.0, ObserverKind::Static, [0.0; 3], 10.0, 90.0);
     let mut to_the_end = at_horizon;
-    at_horizon.advance(&Controls::default(), 48.9851284063).unwrap();
+    at_horizon
+        .advance(&Controls::default(), 48.9851284063)
+        .unwrap();
     assert_near("horizon", at_horizon.place().r, 1.0, 2.0 * LAST_DIGIT);
     to_the_end.advance(&Controls::default(), 100.0).unwrap();
     let rest = radial_life(to_the_end.place().r, to_the_end.constants().energy);
-    assert_digits("to the centre", to_the_end.proper_time() + rest, 49.6729413290);
+    assert_digits(
+        "to the centre",
+        to_the_end.proper_time() + rest,
+        49.6729413290,
+    );
 }
 
 #[test]
@@ -138,7 +163,11 @@ fn lives_inside_are_as_long_as_the_closed_forms_say() {
     }
     for spin in [0.3, 0.9, 0.998] {
         let kerr = Kerr { spin };
-        assert_digits("equator", longest_life(kerr, kerr.horizon(), 0.0), 1.5707963268);
+        assert_digits(
+            "equator",
+            longest_life(kerr, kerr.horizon(), 0.0),
+            1.5707963268,
+        );
     }
     for (spin, expected) in [(0.9, 2.1389608636), (0.998, 2.2197757007)] {
         let kerr = Kerr { spin };
@@ -146,7 +175,11 @@ fn lives_inside_are_as_long_as_the_closed_forms_say() {
     }
     // From inside without spin: arcsin(sqrt(r)) - sqrt(r (1 - r)).
     let r: f64 = 0.4;
-    assert_digits("left", longest_life(still, r, 0.3), r.sqrt().asin() - (r * (1.0 - r)).sqrt());
+    assert_digits(
+        "left",
+        longest_life(still, r, 0.3),
+        r.sqrt().asin() - (r * (1.0 - r)).sqrt(),
+    );
 }
 
 /// The rapidity, toward growing phi and relative to the observer with zero angular momentum, at which
@@ -171,11 +204,19 @@ fn burns_cost_the_rapidity_of_the_closed_forms() {
         let place = ship.place();
         let zamo = zamo_axes(&place, 0.0).unwrap();
         let circular = components(&zamo, ship.velocity()).w.asinh();
-        assert_digits("circularise", rapidity_of_energy(&place, 1.0) - circular, rapidity);
+        assert_digits(
+            "circularise",
+            rapidity_of_energy(&place, 1.0) - circular,
+            rapidity,
+        );
         assert_digits("dt/dtau", Clocks::new(&ship).far_rate.unwrap(), rate);
     }
     let start = ship(0.0, ObserverKind::Static, [0.0; 3], 1.5, 90.0);
-    assert_digits("impulse", rapidity_of_energy(&start.place(), 1.0), 1.1462158348);
+    assert_digits(
+        "impulse",
+        rapidity_of_energy(&start.place(), 1.0),
+        1.1462158348,
+    );
     for (acceleration, expected) in [(5.0, 1.1875874320), (1.0, 1.3958202174)] {
         let time = bisect(0.0, 5.0, |time| {
             let mut ship = start;
@@ -207,8 +248,13 @@ fn gyroscopes_turn_by_the_published_angles() {
         let mut ship = board(&scene, &Mount::NOSE).unwrap();
         let orbit = Kerr { spin }.circular_orbit(r).unwrap();
         let before = attitude(&ship, &scene);
-        ship.advance(&Controls::default(), TAU / (orbit.angular_velocity * orbit.u_t)).unwrap();
-        let turn = DQuat::from_mat3(&(attitude(&ship, &scene) * before.transpose())).to_scaled_axis();
+        ship.advance(
+            &Controls::default(),
+            TAU / (orbit.angular_velocity * orbit.u_t),
+        )
+        .unwrap();
+        let turn =
+            DQuat::from_mat3(&(attitude(&ship, &scene) * before.transpose())).to_scaled_axis();
         assert_digits("angle", turn.length(), expected);
         assert!(turn.cross(DVec3::Y).length() < 1e-9, "about theta: {turn}");
     }
@@ -267,12 +313,22 @@ fn slingshots_sweep_the_angles_of_quadratures() {
         let apsides = Apsides::of(&ship);
         assert_near("lowest", apsides.periapsis.unwrap(), low, 1e-12);
         assert_eq!(apsides.apoapsis, None);
-        assert_near("halfway", time_to_apsis(&ship).unwrap(), 0.5 * own, LAST_DIGIT);
+        assert_near(
+            "halfway",
+            time_to_apsis(&ship).unwrap(),
+            0.5 * own,
+            LAST_DIGIT,
+        );
         let azimuth = |ship: &Ship| ship.place().azimuth().unwrap();
         let start = azimuth(&ship);
         ship.advance(&Controls::default(), own).unwrap();
         assert_near("r", ship.place().r, 20.0, FLOWN);
-        assert_near("azimuth", wrap_angle(azimuth(&ship) - start - swept), 0.0, FLOWN);
+        assert_near(
+            "azimuth",
+            wrap_angle(azimuth(&ship) - start - swept),
+            0.0,
+            FLOWN,
+        );
         assert_near("t", Clocks::new(&ship).far.unwrap(), far, FLOWN);
     }
 }
@@ -289,7 +345,11 @@ fn a_polar_orbit_shifts_its_node_as_integrated() {
     ship.advance(&Controls::default(), 83.8840908290).unwrap();
     assert_near("height", ship.place().n.z, 0.0, LAST_DIGIT);
     assert_near("r", ship.place().r, 5.0, 1e-11);
-    assert_digits("node", wrap_angle(ship.place().azimuth().unwrap() - start), 0.3557773711);
+    assert_digits(
+        "node",
+        wrap_angle(ship.place().azimuth().unwrap() - start),
+        0.3557773711,
+    );
 }
 
 /// The published speeds of circular orbits, prograde and retrograde, against the quadratic.
@@ -309,11 +369,27 @@ fn the_orbit_hold_knows_the_speed_of_circular_orbits_and_where_there_are_none() 
         }
         let r = 0.5 * (kerr.photon_orbit_prograde() + kerr.horizon());
         let inside = ship(spin, ObserverKind::Zamo, [0.0, 0.0, 0.1], r, 90.0);
-        assert_eq!(circular_velocity(&inside), Err(HoldRefusal::NoOrbit { r: inside.place().r }));
-        assert!(circular_velocity(&inside).unwrap_err().to_string().contains("even light does not circle here"));
+        assert_eq!(
+            circular_velocity(&inside),
+            Err(HoldRefusal::NoOrbit {
+                r: inside.place().r
+            })
+        );
+        assert!(
+            circular_velocity(&inside)
+                .unwrap_err()
+                .to_string()
+                .contains("even light does not circle here")
+        );
     }
     let inside = ship(0.9, ObserverKind::Rain, [0.0; 3], 0.7, 90.0);
     let ergosphere = ship(0.9, ObserverKind::Zamo, [0.0; 3], 0.9, 90.0);
-    assert!(matches!(Hold::Zamo(0.7).acceleration(&inside, 1.0), Err(HoldRefusal::Inside { .. })));
-    assert!(matches!(Hold::Hover(0.9).acceleration(&ergosphere, 1.0), Err(HoldRefusal::Ergosphere { .. })));
+    assert!(matches!(
+        Hold::Zamo(0.7).acceleration(&inside, 1.0),
+        Err(HoldRefusal::Inside { .. })
+    ));
+    assert!(matches!(
+        Hold::Hover(0.9).acceleration(&ergosphere, 1.0),
+        Err(HoldRefusal::Ergosphere { .. })
+    ));
 }

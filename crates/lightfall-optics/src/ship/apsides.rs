@@ -87,7 +87,12 @@ fn nearest_end(c: &[f64], end: f64) -> Option<f64> {
 
 /// The places between zero and `end`, in this order, where a polynomial's slope changes its sign.
 fn extrema(c: &[f64], end: f64) -> Vec<f64> {
-    let slope: Vec<f64> = c.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
+    let slope: Vec<f64> = c
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, c)| k as f64 * c)
+        .collect();
     if slope.len() < 2 {
         return Vec::new();
     }

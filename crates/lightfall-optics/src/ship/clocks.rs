@@ -54,11 +54,7 @@ impl Clocks {
             (Some(rising), Some(far), Some(delay)) if r > HOME_RADIUS => {
                 (far - delay, rising, Some(falling))
             }
-            _ => (
-                ship.time() + r - lead(HOME_RADIUS),
-                falling,
-                rising,
-            ),
+            _ => (ship.time() + r - lead(HOME_RADIUS), falling, rising),
         };
         Self {
             own: ship.proper_time(),

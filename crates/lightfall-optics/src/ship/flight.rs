@@ -155,7 +155,8 @@ impl Flight {
             let before = self.ship.proper_time();
             let limit = self.ship.advance(&tick.controls, length)?;
             let passed = self.ship.proper_time() - before;
-            self.rocket.spend(tick.controls.acceleration.length() * passed);
+            self.rocket
+                .spend(tick.controls.acceleration.length() * passed);
             self.turned += tick.controls.rotation.length() * passed;
             // A tick that ends with the frame, but for rounding, ends.
             let rest = tick.left - length;
@@ -181,7 +182,13 @@ impl Flight {
         } else {
             let length = TICK / motion_rate(&self.ship);
             let mut middle = self.ship;
-            middle.advance(&Controls { acceleration, rotation: DVec3::ZERO }, 0.5 * length)?;
+            middle.advance(
+                &Controls {
+                    acceleration,
+                    rotation: DVec3::ZERO,
+                },
+                0.5 * length,
+            )?;
             // A hold that is refused so soon is refused at the next tick.
             acceleration = self.wanted(&middle).unwrap_or(acceleration);
             length

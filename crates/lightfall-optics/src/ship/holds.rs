@@ -3,9 +3,7 @@
 use super::heading::motion_rate;
 use crate::readout::held_acceleration_components;
 use glam::{DMat4, DVec2, DVec3, DVec4, Vec4Swizzles};
-use lightfall_model::geometry::ship::{
-    Place, Ship, VectorConstants, boost, components, zamo_axes,
-};
+use lightfall_model::geometry::ship::{Place, Ship, VectorConstants, boost, components, zamo_axes};
 use lightfall_model::geometry::sphere::celestial_frame;
 use lightfall_model::scene::ObserverKind;
 use thiserror::Error;
@@ -67,23 +65,17 @@ impl Hold {
     ///
     /// # Errors
     /// There is no such hold here.
-    pub fn acceleration(
-        self,
-        ship: &Ship,
-        max_acceleration: f64,
-    ) -> Result<DVec3, HoldRefusal> {
+    pub fn acceleration(self, ship: &Ship, max_acceleration: f64) -> Result<DVec3, HoldRefusal> {
         let place = ship.place();
         let kerr = place.kerr;
         // Azimuths matter in no hold, so any will do on the axis.
-        let zamo = zamo_axes(&place, place.azimuth().unwrap_or(0.0)).ok_or(
-            HoldRefusal::Inside {
+        let zamo =
+            zamo_axes(&place, place.azimuth().unwrap_or(0.0)).ok_or(HoldRefusal::Inside {
                 horizon: kerr.horizon(),
-            },
-        )?;
+            })?;
         let time = RESPONSE / motion_rate(ship);
-        let back = |r: f64| {
-            ((r - place.r) / (2.0 * time)).clamp(-MAX_RETURN_SPEED, MAX_RETURN_SPEED)
-        };
+        let back =
+            |r: f64| ((r - place.r) / (2.0 * time)).clamp(-MAX_RETURN_SPEED, MAX_RETURN_SPEED);
         let target = match self {
             Self::Orbit(r) => orbit(ship, &place, &zamo, back(r))?,
             Self::Hover(r) => at_rest(&place, back(r))?,
@@ -173,8 +165,7 @@ fn at_rest(place: &Place, back: f64) -> Result<Target, HoldRefusal> {
     }
     .vector(place);
     let [_, theta_hat, _] = celestial_frame(place.theta(), place.azimuth().unwrap_or(0.0));
-    let along_theta =
-        place.on_frame(DVec4::from((0.0, place.spread(theta_hat))) / sigma.sqrt());
+    let along_theta = place.on_frame(DVec4::from((0.0, place.spread(theta_hat))) / sigma.sqrt());
     Ok(Target {
         velocity: moving(u, outward, back),
         acceleration: held(place, ObserverKind::Static, outward, along_theta),
@@ -189,8 +180,7 @@ fn with_zamo(place: &Place, zamo: &DMat4, back: f64) -> Target {
 }
 
 fn held(place: &Place, kind: ObserverKind, outward: DVec4, along_theta: DVec4) -> DVec4 {
-    let [radial, polar] =
-        held_acceleration_components(place.kerr, kind, place.r, place.theta());
+    let [radial, polar] = held_acceleration_components(place.kerr, kind, place.r, place.theta());
     radial * outward + polar * along_theta
 }
 

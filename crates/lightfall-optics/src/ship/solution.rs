@@ -11,7 +11,7 @@ use lightfall_model::scene::mission::{Burn, Push, Until};
 use thiserror::Error;
 
 /// The longest own time that a part of a solution may take, in r_s/c.
-const MAX_TIME: f64 = 1e5;
+const MAX_TIME: f64 = 1e4;
 
 /// What is left of a part's time, as a share of the ship's clock, when rounding ends it.
 const ROUNDING: f64 = 1e-14;

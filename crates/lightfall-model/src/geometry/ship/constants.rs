@@ -108,8 +108,7 @@ pub(super) fn vector(
 ) -> DVec4 {
     let a = place.kerr.a();
     let sin = place.sin_theta();
-    let time =
-        place.rho2() * h + a * (angular_momentum - a * energy * sin * sin) - radial;
+    let time = place.rho2() * h + a * (angular_momentum - a * energy * sin * sin) - radial;
     let space = radial * place.n + place.spread(w + a * (h - energy) * place.around());
     place.on_frame(DVec4::from((time, space)) / place.sigma())
 }

@@ -18,7 +18,9 @@ pub enum ShipError {
     #[error("the ship's {what} is {given:?}; its three components must be finite numbers")]
     Controls { what: &'static str, given: [f64; 3] },
     /// Time does not run backward.
-    #[error("the ship was to move on by the proper time {0}; it must be a finite number, not negative")]
+    #[error(
+        "the ship was to move on by the proper time {0}; it must be a finite number, not negative"
+    )]
     Duration(f64),
     /// The tolerance of a step is not one.
     #[error("the tolerance of a step is {0}; it must be from 1e-15 to 1e-3")]

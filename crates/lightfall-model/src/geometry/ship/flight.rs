@@ -358,23 +358,22 @@ impl Ship {
         let mut numbers = self.state.numbers();
         // No rate depends on the time, which is added without loss of its last digits.
         numbers[0] = 0.0;
-        let rate = |numbers: &[f64; NUMBERS]| State::of_numbers(numbers).rate(kerr, controls).numbers();
+        let rate =
+            |numbers: &[f64; NUMBERS]| State::of_numbers(numbers).rate(kerr, controls).numbers();
         let agree = |last: &[f64; NUMBERS], before: &[f64; NUMBERS]| {
             AXES.clone().all(|i| (last[i] - before[i]).abs() < limit)
         };
         let step = step(&numbers, length, rate, agree);
-        let rows = step.as_ref().map_or(super::extrapolation::MAX_ROWS, |step| step.rows);
+        let rows = step
+            .as_ref()
+            .map_or(super::extrapolation::MAX_ROWS, |step| step.rows);
         self.evaluations += evaluations(rows);
         step
     }
 
     /// The step that ends at a limit: by bisection of its length, on the near side. `None` if the
     /// steps do not converge.
-    fn step_to_limit(
-        &mut self,
-        controls: &Controls,
-        length: f64,
-    ) -> Option<(f64, Step<NUMBERS>)> {
+    fn step_to_limit(&mut self, controls: &Controls, length: f64) -> Option<(f64, Step<NUMBERS>)> {
         let (mut low, mut high) = (0.0, length);
         let mut found = None;
         for _ in 0..LIMIT_HALVINGS {

@@ -61,10 +61,7 @@ impl State {
         let (electric, magnetic) = field(&place, u);
         let carried = |p: DVec4| {
             let space = p.yzw();
-            DVec4::from((
-                electric.dot(space),
-                p.x * electric + space.cross(magnetic),
-            ))
+            DVec4::from((electric.dot(space), p.x * electric + space.cross(magnetic)))
         };
         let (push, turn) = (controls.acceleration, controls.rotation);
         let thrust = push.x * e1 + push.y * e2 + push.z * e3;
@@ -109,10 +106,7 @@ fn field(place: &Place, u: DVec4) -> (DVec3, DVec3) {
     let grad_along = velocity.dot(s) * grad_r + explicit;
     let electric = place.h * (along * grad_h + grad_along);
     let curl = grad_r.cross(s) - 2.0 * a / rho2 * DVec3::Z;
-    (
-        electric,
-        electric.cross(l) + place.h * along * curl,
-    )
+    (electric, electric.cross(l) + place.h * along * curl)
 }
 
 /// What the acceleration alpha adds to E, L and K' per proper time: E(alpha), L(alpha) and 2
@@ -122,9 +116,7 @@ fn power(place: &Place, u: DVec4, alpha: DVec4) -> DVec3 {
         VectorConstants::new(place, u),
         VectorConstants::new(place, alpha),
     );
-    let carter = of_u
-        .carter_vector(place)
-        .dot(of_alpha.carter_vector(place));
+    let carter = of_u.carter_vector(place).dot(of_alpha.carter_vector(place));
     // The part of the mass does not change: u.alpha = 0.
     DVec3::new(of_alpha.energy, of_alpha.angular_momentum, 2.0 * carter)
 }

@@ -27,10 +27,8 @@ pub fn rain_axes(place: &Place, azimuth: f64) -> DMat4 {
     let tilt = place.kerr.a() * sin * fall;
     let h = (sigma - tilt * tilt / area) / (rho2 * fall / root + root);
     let outward = vector(place, -fall / root, 0.0, root, DVec3::ZERO, h);
-    let [_, theta_hat, phi_hat] = celestial_frame(
-        place.theta(),
-        place.azimuth().unwrap_or(azimuth),
-    );
+    let [_, theta_hat, phi_hat] =
+        celestial_frame(place.theta(), place.azimuth().unwrap_or(azimuth));
     let tangent = |v: DVec3| place.on_frame(DVec4::from((0.0, place.spread(v))));
     DMat4::from_cols(
         u,

@@ -56,10 +56,5 @@ pub(super) fn carried_to(frame: &DMat4, to: DVec4) -> DMat4 {
     let [u, e1, e2, e3] = axes(frame);
     let gamma = -minkowski(u, to);
     let carried = |e: DVec4| e + minkowski(to, e) / (1.0 + gamma) * (u + to);
-    orthonormal(&DMat4::from_cols(
-        to,
-        carried(e1),
-        carried(e2),
-        carried(e3),
-    ))
+    orthonormal(&DMat4::from_cols(to, carried(e1), carried(e2), carried(e3)))
 }

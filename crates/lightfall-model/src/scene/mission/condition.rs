@@ -121,7 +121,11 @@ impl TryFrom<String> for Condition {
             let known = Quantity::WORDS.join(", ");
             format!("{text:?} names no quantity of a flight: these are {known}")
         })?;
-        let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
+        let value = value
+            .trim()
+            .parse()
+            .ok()
+            .filter(|value: &f64| value.is_finite());
         Ok(Self {
             quantity,
             comparison,

@@ -114,14 +114,45 @@ fn check_texts(written: &Text) -> Result<(), Fault> {
     const LONG: &str = "one line of at most 400 characters";
     line("title".into(), &written.title, MAX_LINE, SHORT)?;
     line("brief".into(), &written.brief, MAX_TEXT, LONG)?;
-    line("ending.success".into(), &written.ending.success, MAX_TEXT, LONG)?;
-    line("ending.failure".into(), &written.ending.failure, MAX_TEXT, LONG)?;
+    line(
+        "ending.success".into(),
+        &written.ending.success,
+        MAX_TEXT,
+        LONG,
+    )?;
+    line(
+        "ending.failure".into(),
+        &written.ending.failure,
+        MAX_TEXT,
+        LONG,
+    )?;
     let texts = [
-        ("goal", written.goal.iter().map(|goal| &goal.text).collect::<Vec<_>>()),
+        (
+            "goal",
+            written
+                .goal
+                .iter()
+                .map(|goal| &goal.text)
+                .collect::<Vec<_>>(),
+        ),
         ("fail", written.fail.iter().map(|fail| &fail.text).collect()),
-        ("caption", written.caption.iter().map(|caption| &caption.text).collect()),
+        (
+            "caption",
+            written
+                .caption
+                .iter()
+                .map(|caption| &caption.text)
+                .collect(),
+        ),
         ("hint", written.hint.iter().map(|hint| &hint.text).collect()),
-        ("question", written.question.iter().map(|question| &question.text).collect()),
+        (
+            "question",
+            written
+                .question
+                .iter()
+                .map(|question| &question.text)
+                .collect(),
+        ),
     ];
     for (table, texts) in texts {
         for (index, text) in texts.into_iter().enumerate() {
@@ -137,7 +168,12 @@ fn check_numbers(written: &Text) -> Result<(), Fault> {
     at_least("ship.acceleration".into(), written.ship.acceleration)?;
     let exhaust = written.ship.exhaust;
     let is_exhaust = exhaust > 0.0 && exhaust <= 1.0;
-    check("ship.exhaust".into(), exhaust, is_exhaust, "above 0 and at most 1")?;
+    check(
+        "ship.exhaust".into(),
+        exhaust,
+        is_exhaust,
+        "above 0 and at most 1",
+    )?;
     let suns = written.hole.mass_suns;
     check("hole.mass_suns".into(), suns, suns > 0.0, POSITIVE)?;
     for (index, goal) in written.goal.iter().enumerate() {
@@ -149,20 +185,27 @@ fn check_numbers(written: &Text) -> Result<(), Fault> {
         at_least(key("tolerance"), question.tolerance)?;
     }
     for (index, par) in written.par.iter().enumerate() {
-        check(format!("par {}: value", index + 1), par.value, true, "a finite number")?;
+        check(
+            format!("par {}: value", index + 1),
+            par.value,
+            true,
+            "a finite number",
+        )?;
     }
     Ok(())
 }
 
 fn check(key: String, value: f64, is_allowed: bool, allowed: &'static str) -> Result<(), Fault> {
-    (is_allowed && value.is_finite()).then_some(()).ok_or_else(|| {
-        let given = number(value);
-        Fault::Number {
-            key,
-            given,
-            allowed,
-        }
-    })
+    (is_allowed && value.is_finite())
+        .then_some(())
+        .ok_or_else(|| {
+            let given = number(value);
+            Fault::Number {
+                key,
+                given,
+                allowed,
+            }
+        })
 }
 
 fn read_burn(place: usize, burn: BurnText) -> Result<Burn, Fault> {
