@@ -47,6 +47,7 @@ mod ship_flights;
 mod ship_frames;
 mod ship_gyroscopes;
 mod ship_missions;
+mod ship_orbits;
 mod ship_scenes;
 mod ship_values;
 mod sky_texel;

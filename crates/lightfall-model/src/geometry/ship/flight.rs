@@ -1,8 +1,8 @@
 //! A ship and its motion, with the error of the flight.
 
-use super::extrapolation::{Step, evaluations, step};
-use super::motion::{AXES, NUMBERS, PLACE, State};
-use super::vectors::{axes, carried_to, minkowski, orthonormal};
+use super::coast::{Coast, geodesic};
+use super::motion::State;
+use super::vectors::{deviation, largest, orthonormal, spatial};
 use super::{Place, ShipError, VectorConstants};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::timelike::{Geodesic, Limit};
@@ -12,18 +12,6 @@ use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 /// component of the axes. Since a step is added up apart from its start, rounding alone makes it
 /// less. Balances are ten times better than with 1e-13, for 12 % more evaluations.
 pub const DEFAULT_TOLERANCE: f64 = 3e-15;
-
-/// How much longer the next step is tried where one converged before the last row.
-const GROWTH: f64 = 1.5;
-
-/// The number of rows from which on the next step is not tried longer.
-const ROWS_TO_GROW: usize = 5;
-
-/// Maximum number of halvings of one step. No motion outside the inner horizon needs as many.
-const MAX_HALVINGS: u32 = 60;
-
-/// Number of halvings that find where a step meets a limit, to the last digit.
-const LIMIT_HALVINGS: u32 = 60;
 
 /// Largest deviation of axes from orthonormal ones that counts as rounding, per square of their
 /// largest component.
@@ -62,30 +50,22 @@ impl FlightError {
     }
 }
 
-/// The motion with the engine off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Coast {
-    geodesic: Geodesic,
-    /// T plus r minus the geodesic's ingoing time.
-    time: f64,
-}
-
 /// A ship: its place, its axes, its clock, and the error of its flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ship {
-    kerr: Kerr,
-    state: State,
-    proper_time: f64,
+    pub(super) kerr: Kerr,
+    pub(super) state: State,
+    pub(super) proper_time: f64,
     /// The smallest and the largest radius of the flight, in r_s.
-    limits: [f64; 2],
-    tolerance: f64,
+    pub(super) limits: [f64; 2],
+    pub(super) tolerance: f64,
     /// The length of the step to try next, in r_s.
-    next_step: f64,
-    coast: Option<Coast>,
-    error: FlightError,
+    pub(super) next_step: f64,
+    pub(super) coast: Option<Coast>,
+    pub(super) error: FlightError,
     /// E, L and K' at the start.
-    start: DVec3,
-    evaluations: u64,
+    pub(super) start: DVec3,
+    pub(super) evaluations: u64,
 }
 
 impl Ship {
@@ -249,201 +229,6 @@ impl Ship {
             self.fly(controls, proper_time)
         })
     }
-
-    fn coast(&mut self, controls: &Controls, proper_time: f64) -> Option<Limit> {
-        let mut coast = match self.coast {
-            Some(coast) => coast,
-            None => Coast::new(&self.place(), self.time(), self.velocity()),
-        };
-        let before = coast.geodesic.state.proper_time;
-        let mut limit = coast.geodesic.advance(proper_time, self.limits);
-        let passed = coast.geodesic.state.proper_time - before;
-        // The axes go as far as the geodesic does, and past no limit of their own.
-        let own_limits = std::mem::replace(&mut self.limits, [0.0, f64::INFINITY]);
-        let lost = self.fly(controls, passed);
-        self.limits = own_limits;
-        limit = limit.or(lost);
-        let place = coast.place(self.kerr);
-        let u = coast.velocity(&place);
-        let difference = largest_of((self.velocity() - u).to_array());
-        self.error.geodesic += difference / largest(&self.state.frame);
-        self.state.frame = carried_to(&self.state.frame, u);
-        self.state.place = DVec4::from((coast.time(place.r), place.position));
-        self.coast = Some(coast);
-        limit
-    }
-
-    /// Integrates the equations of motion.
-    fn fly(&mut self, controls: &Controls, proper_time: f64) -> Option<Limit> {
-        let mut left = proper_time;
-        loop {
-            let place = Place::new(self.kerr, self.state.place.yzw());
-            if let Some(limit) = self.limit_at(&place) {
-                return Some(limit);
-            }
-            if left <= 0.0 {
-                return None;
-            }
-            let Some((length, step)) = self.converged_step(&place, controls, left) else {
-                return Some(Limit::Lost);
-            };
-            if self.is_within_limits(&step) {
-                self.accept(length, &step);
-                left = if length < left { left - length } else { 0.0 };
-            } else {
-                let (length, step) = self.step_to_limit(controls, length)?;
-                self.accept(length, &step);
-                let inward = step_radius(self.kerr, &step) < place.r;
-                return Some(if inward { Limit::Inner } else { Limit::Outer });
-            }
-        }
-    }
-
-    /// The limit that the ship has reached, if it moves toward it.
-    fn limit_at(&self, place: &Place) -> Option<Limit> {
-        const ROUNDING: f64 = 1e-12;
-        let [inner, outer] = self.limits;
-        let radial = VectorConstants::new(place, self.velocity()).radial;
-        if place.r <= inner * (1.0 + ROUNDING) && radial <= 0.0 {
-            Some(Limit::Inner)
-        } else if place.r >= outer * (1.0 - ROUNDING) && radial >= 0.0 {
-            Some(Limit::Outer)
-        } else {
-            None
-        }
-    }
-
-    fn is_within_limits(&self, step: &Step<NUMBERS>) -> bool {
-        let r = step_radius(self.kerr, step);
-        r >= self.limits[0] && r <= self.limits[1]
-    }
-
-    /// The longest step that converges, of those that are the next one's length or its halves.
-    fn converged_step(
-        &mut self,
-        place: &Place,
-        controls: &Controls,
-        left: f64,
-    ) -> Option<(f64, Step<NUMBERS>)> {
-        // A sixth of the time of a turn at this radius, about.
-        let most = if self.next_step.is_finite() {
-            self.next_step
-        } else {
-            place.r * place.r.sqrt()
-        };
-        let mut length = most.min(left);
-        for _ in 0..MAX_HALVINGS {
-            if let Some(step) = self.try_step(controls, length) {
-                let next = if step.rows <= ROWS_TO_GROW {
-                    GROWTH * length
-                } else {
-                    length
-                };
-                // A step that the end of the time made short says nothing about a longer one.
-                self.next_step = if length < most.min(left) {
-                    next
-                } else {
-                    next.max(most)
-                };
-                return Some((length, step));
-            }
-            length *= 0.5;
-        }
-        None
-    }
-
-    fn try_step(&mut self, controls: &Controls, length: f64) -> Option<Step<NUMBERS>> {
-        let kerr = self.kerr;
-        let limit = self.tolerance * (1.0 + largest(&self.state.frame));
-        let mut numbers = self.state.numbers();
-        // No rate depends on the time, which is added without loss of its last digits.
-        numbers[0] = 0.0;
-        let rate =
-            |numbers: &[f64; NUMBERS]| State::of_numbers(numbers).rate(kerr, controls).numbers();
-        let agree = |last: &[f64; NUMBERS], before: &[f64; NUMBERS]| {
-            AXES.clone().all(|i| (last[i] - before[i]).abs() < limit)
-        };
-        let step = step(&numbers, length, rate, agree);
-        let rows = step
-            .as_ref()
-            .map_or(super::extrapolation::MAX_ROWS, |step| step.rows);
-        self.evaluations += evaluations(rows);
-        step
-    }
-
-    /// The step that ends at a limit: by bisection of its length, on the near side. `None` if the
-    /// steps do not converge.
-    fn step_to_limit(&mut self, controls: &Controls, length: f64) -> Option<(f64, Step<NUMBERS>)> {
-        let (mut low, mut high) = (0.0, length);
-        let mut found = None;
-        for _ in 0..LIMIT_HALVINGS {
-            let middle = 0.5 * (low + high);
-            match self.try_step(controls, middle) {
-                Some(step) if self.is_within_limits(&step) => {
-                    low = middle;
-                    found = Some((middle, step));
-                }
-                _ => high = middle,
-            }
-        }
-        found
-    }
-
-    /// Takes a step, and adds up its error.
-    fn accept(&mut self, length: f64, step: &Step<NUMBERS>) {
-        let mut end = State::of_numbers(&step.end);
-        let difference = |range: std::ops::Range<usize>| {
-            step.difference[range].iter().copied().fold(0.0, f64::max)
-        };
-        self.error.axes += difference(AXES) / largest(&end.frame);
-        self.error.place += difference(PLACE) / end.place.yzw().length();
-        self.error.norm += (minkowski(end.frame.x_axis, end.frame.x_axis) + 1.0).abs();
-        end.place.x += self.state.place.x;
-        end.frame = orthonormal(&end.frame);
-        self.state = end;
-        self.proper_time += length;
-    }
-}
-
-impl Coast {
-    fn new(place: &Place, time: f64, u: DVec4) -> Self {
-        Self {
-            geodesic: geodesic(place, u),
-            time: time + place.r,
-        }
-    }
-
-    fn place(&self, kerr: Kerr) -> Place {
-        let state = &self.geodesic.state;
-        Place::at(kerr, 1.0 / state.u, self.turned(state.n))
-    }
-
-    /// The four-velocity on the Kerr-Schild frame.
-    fn velocity(&self, place: &Place) -> DVec4 {
-        let Geodesic { constants, state } = &self.geodesic;
-        VectorConstants {
-            energy: constants.energy,
-            angular_momentum: constants.angular_momentum,
-            radial: -state.du * place.r * place.r,
-            w: self.turned(state.dn),
-            mass2: 1.0,
-        }
-        .vector(place)
-    }
-
-    fn time(&self, r: f64) -> f64 {
-        self.time + self.geodesic.state.ingoing_time - r
-    }
-
-    /// A vector of the celestial sphere with Kerr's ingoing azimuth, of one with the azimuth psi.
-    fn turned(&self, v: DVec3) -> DVec3 {
-        DMat3::from_rotation_z(self.geodesic.state.chi) * v
-    }
-}
-
-fn geodesic(place: &Place, u: DVec4) -> Geodesic {
-    let photon = VectorConstants::new(place, u).photon(place);
-    Geodesic::new(place.kerr, &photon, place.r, place.n, 0.0)
 }
 
 /// E, L and K' of the four-velocity `u`.
@@ -454,42 +239,4 @@ fn constants(place: &Place, u: DVec4) -> DVec3 {
         constants.angular_momentum,
         constants.k_prime(place),
     )
-}
-
-fn step_radius(kerr: Kerr, step: &Step<NUMBERS>) -> f64 {
-    let [x, y, z] = [1, 2, 3].map(|i| step.end[i]);
-    Place::new(kerr, DVec3::new(x, y, z)).r
-}
-
-/// A rotation as a transformation that leaves the four-velocity.
-fn spatial(rotation: DMat3) -> DMat4 {
-    let column = |i: usize| DVec4::from((0.0, rotation.col(i)));
-    DMat4::from_cols(DVec4::X, column(0), column(1), column(2))
-}
-
-/// How far the axes are from orthonormal ones, with the first along time and to the future.
-fn deviation(frame: &DMat4) -> f64 {
-    let axes = axes(frame);
-    let mut most = if axes[0].x > 0.0 { 0.0 } else { f64::INFINITY };
-    for i in 0..4 {
-        for j in 0..=i {
-            let product = match (i, j) {
-                (0, 0) => -1.0,
-                (i, j) if i == j => 1.0,
-                _ => 0.0,
-            };
-            most = f64::max(most, (minkowski(axes[i], axes[j]) - product).abs());
-        }
-    }
-    // A component that is not a number makes no product a number.
-    if frame.is_finite() { most } else { f64::NAN }
-}
-
-/// The largest component of the axes, which is at least one.
-fn largest(frame: &DMat4) -> f64 {
-    largest_of(frame.to_cols_array())
-}
-
-fn largest_of<const N: usize>(numbers: [f64; N]) -> f64 {
-    numbers.into_iter().fold(0.0, |most, x| most.max(x.abs()))
 }

@@ -10,6 +10,7 @@
 //!
 //! [`DVec4`]: glam::DVec4
 
+mod coast;
 mod constants;
 mod error;
 mod extrapolation;
@@ -17,6 +18,7 @@ mod flight;
 mod motion;
 mod place;
 mod rain_axes;
+mod steps;
 mod vectors;
 
 pub use constants::VectorConstants;

@@ -1,6 +1,6 @@
 //! Vectors and frames in Minkowski's space.
 
-use glam::{DMat4, DVec3, DVec4, Vec4Swizzles};
+use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 
 /// The product of two vectors with components on an orthonormal frame, of signature -+++.
 pub fn minkowski(p: DVec4, q: DVec4) -> f64 {
@@ -57,4 +57,38 @@ pub(super) fn carried_to(frame: &DMat4, to: DVec4) -> DMat4 {
     let gamma = -minkowski(u, to);
     let carried = |e: DVec4| e + minkowski(to, e) / (1.0 + gamma) * (u + to);
     orthonormal(&DMat4::from_cols(to, carried(e1), carried(e2), carried(e3)))
+}
+
+/// A rotation as a transformation that leaves the four-velocity.
+pub(super) fn spatial(rotation: DMat3) -> DMat4 {
+    let column = |i: usize| DVec4::from((0.0, rotation.col(i)));
+    DMat4::from_cols(DVec4::X, column(0), column(1), column(2))
+}
+
+/// How far the axes are from orthonormal ones, with the first along time and to the future.
+pub(super) fn deviation(frame: &DMat4) -> f64 {
+    let axes = axes(frame);
+    let mut most = if axes[0].x > 0.0 { 0.0 } else { f64::INFINITY };
+    for i in 0..4 {
+        for j in 0..=i {
+            let product = match (i, j) {
+                (0, 0) => -1.0,
+                (i, j) if i == j => 1.0,
+                _ => 0.0,
+            };
+            most = f64::max(most, (minkowski(axes[i], axes[j]) - product).abs());
+        }
+    }
+    // A component that is not a number makes no product a number.
+    if frame.is_finite() { most } else { f64::NAN }
+}
+
+/// The largest component of the axes, which is at least one.
+pub(super) fn largest(frame: &DMat4) -> f64 {
+    largest_of(frame.to_cols_array())
+}
+
+/// The largest of some numbers without their signs.
+pub(super) fn largest_of<const N: usize>(numbers: [f64; N]) -> f64 {
+    numbers.into_iter().fold(0.0, |most, x| most.max(x.abs()))
 }
