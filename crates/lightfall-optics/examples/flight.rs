@@ -64,7 +64,7 @@ fn row(spin: f64, r: f64, tolerance: f64) -> Result<(), Box<dyn Error>> {
     let angle = (0.5 / r.powi(3)).sqrt() * own;
     let expected = DMat3::from_axis_angle(DVec3::Y, angle) * before;
     let gyroscope = (0..3)
-        .map(|i| (attitude(&ship, &scene).map(|now| now.col(i) - expected.col(i))))
+        .map(|i| attitude(&ship, &scene).map(|now| now.col(i) - expected.col(i)))
         .collect::<Result<Vec<_>, _>>()?
         .into_iter()
         .fold(0.0, |most: f64, column| most.max(column.length()));

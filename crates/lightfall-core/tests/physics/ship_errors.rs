@@ -125,6 +125,27 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
         let error = (distance / coasting.place().r)
             .max(clocks)
             .max(turned / size);
+        if error / (size * size * ship.place().r.max(1.0)) > 5e-13 {
+            println!(
+                "COAST err {error:e} size {size:.2} end r {} spin {} place {:e} clocks {:e} turned {:e} start {} theta {} time {time} driven {:?} coasting {:?} balance {:?} {:?} apsides {:?} E {} L {} pro {} ret {} limit {limit:?}",
+                coasting.place().r,
+                ship.kerr().spin,
+                distance / coasting.place().r,
+                clocks,
+                turned / size,
+                ship.place().r,
+                ship.place().theta(),
+                driven.error(),
+                coasting.error(),
+                driven.balance(),
+                coasting.balance(),
+                lightfall_core::optics::ship::Apsides::of(&ship),
+                ship.constants().energy,
+                ship.constants().angular_momentum,
+                ship.kerr().photon_orbit_prograde(),
+                ship.kerr().photon_orbit_retrograde()
+            );
+        }
         worst = worst.max(error / (size * size * ship.place().r.max(1.0)));
     }
     eprintln!(

@@ -2,11 +2,11 @@
 
 use super::extrapolation::{MAX_ROWS, Step, evaluations, step};
 use super::motion::{AXES, NUMBERS, PLACE, State};
-use super::vectors::{largest, minkowski, orthonormal};
+use super::vectors::{largest, largest_of, minkowski, orthonormal};
 use super::{Controls, Place, Ship, VectorConstants};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::timelike::Limit;
-use glam::{DVec3, Vec4Swizzles};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::ops::Range;
 
 /// How much longer the next step is tried where one converged before the last row.
@@ -17,6 +17,13 @@ const ROWS_TO_GROW: usize = 5;
 
 /// Maximum number of halvings of one step. No motion outside the inner horizon needs as many.
 const MAX_HALVINGS: u32 = 60;
+
+/// By how much the tolerance is larger while the step to a limit is sought.
+const BISECTION_TOLERANCE: f64 = 100.0;
+
+/// Largest |u.u + 1| of a step, in units of its tolerance times the square of the largest component.
+/// An error of the tolerance in one component makes it two.
+const MAX_NORM: f64 = 8.0;
 
 /// Number of halvings that find where a step meets a limit, to the last digit.
 const LIMIT_HALVINGS: u32 = 60;
@@ -40,7 +47,11 @@ impl Ship {
                 self.accept(length, &step);
                 left = if length < left { left - length } else { 0.0 };
             } else {
-                let (length, step) = self.step_to_limit(controls, length)?;
+                // The ship is within its limits, so that the bisection finds a step unless one does
+                // not converge.
+                let Some((length, step)) = self.step_to_limit(controls, length) else {
+                    return Some(Limit::Lost);
+                };
                 self.accept(length, &step);
                 let inward = step_radius(self.kerr, &step) < place.r;
                 return Some(if inward { Limit::Inner } else { Limit::Outer });
@@ -82,7 +93,7 @@ impl Ship {
         };
         let mut length = most.min(left);
         for _ in 0..MAX_HALVINGS {
-            if let Some(step) = self.try_step(controls, length) {
+            if let Some(step) = self.try_step(controls, length, self.tolerance) {
                 let next = if step.rows <= ROWS_TO_GROW {
                     GROWTH * length
                 } else {
@@ -101,16 +112,29 @@ impl Ship {
         None
     }
 
-    fn try_step(&mut self, controls: &Controls, length: f64) -> Option<Step<NUMBERS>> {
+    /// A step that converges: the last two entries of a row agree, and u.u is -1. The former alone
+    /// may be chance in a step that is much too long.
+    fn try_step(
+        &mut self,
+        controls: &Controls,
+        length: f64,
+        tolerance: f64,
+    ) -> Option<Step<NUMBERS>> {
         let kerr = self.kerr;
-        let limit = self.tolerance * (1.0 + largest(&self.state.frame));
+        let size = 1.0 + largest(&self.state.frame);
+        let limit = tolerance * size;
         let mut numbers = self.state.numbers();
         // No rate depends on the time, which is added without loss of its last digits.
         numbers[0] = 0.0;
         let rate =
             |numbers: &[f64; NUMBERS]| State::of_numbers(numbers).rate(kerr, controls).numbers();
         let agree = |last: &[f64; NUMBERS], before: &[f64; NUMBERS]| {
-            AXES.clone().all(|i| (last[i] - before[i]).abs() < limit)
+            let agree = AXES.clone().all(|i| (last[i] - before[i]).abs() < limit);
+            agree && {
+                let u = self.velocity() + DVec4::from_slice(&last[AXES]);
+                (minkowski(u, u) + 1.0).abs()
+                    < MAX_NORM * size.max(largest_of(u.to_array())) * limit
+            }
         };
         let step = step(&numbers, length, rate, agree);
         let rows = step.as_ref().map_or(MAX_ROWS, |step| step.rows);
@@ -118,19 +142,20 @@ impl Ship {
         step
     }
 
-    /// The step that ends at a limit: by bisection of its length, on the near side. `None` if the
-    /// steps do not converge.
+    /// The step that ends at a limit: by bisection of its length, on the near side.
     fn step_to_limit(&mut self, controls: &Controls, length: f64) -> Option<(f64, Step<NUMBERS>)> {
+        // A shorter step than one that converged does so too, but for rounding.
+        let tolerance = BISECTION_TOLERANCE * self.tolerance;
         let (mut low, mut high) = (0.0, length);
         let mut found = None;
         for _ in 0..LIMIT_HALVINGS {
             let middle = 0.5 * (low + high);
-            match self.try_step(controls, middle) {
-                Some(step) if self.is_within_limits(&step) => {
-                    low = middle;
-                    found = Some((middle, step));
-                }
-                _ => high = middle,
+            let step = self.try_step(controls, middle, tolerance)?;
+            if self.is_within_limits(&step) {
+                low = middle;
+                found = Some((middle, step));
+            } else {
+                high = middle;
             }
         }
         found
