@@ -54,7 +54,7 @@ fn random_controls(random: &mut Random, r: f64) -> Controls {
 /// Each step has an error of about 1e-15 of the largest component, and a flight some dozens of
 /// steps. The error is relative to the largest terms of which a constant is the sum: deep inside,
 /// terms of some hundreds cancel. It grows with the largest component of the axes, to 2e-14 times
-/// that in sixty seeds, so that 1e-12 holds up to components of 25 and the same share beyond.
+/// that in 120 seeds, so that 1e-12 holds up to components of 25 and the same share beyond.
 #[test]
 fn thrust_of_random_programs_adds_what_it_must_to_energy_angular_momentum_and_carters_constant() {
     let mut random = Random::new();
@@ -96,10 +96,11 @@ fn thrust_of_random_programs_adds_what_it_must_to_energy_angular_momentum_and_ca
 
 /// With the engine off, place and velocity are the geodesic's. The equations with the engine are
 /// then the independent ones, and the difference is that of two methods in two sets of
-/// coordinates. Deep inside, where the axes have components of some tens, errors of a part in 1e15
-/// grow with the tide as the square of these. Elsewhere the square is about one. They also grow with
+/// coordinates. Deep inside, and where the ship nearly circles with light, the
+/// axes have components of some tens, and errors of a part in 1e15
+/// grow with the tide as the square of the largest on the way. Elsewhere the square is about one. They also grow with
 /// the time of the fall, and so with the radius where it begins. What is left was 1e-13 at most in
-/// sixty seeds.
+/// 120 seeds.
 #[test]
 fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
     let mut random = Random::new();
@@ -108,8 +109,12 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
         let ship = random_ship(&mut random);
         let time = random.between(0.0, 3.0) * ship.place().r;
         let mut coasting = ship;
-        let limit = coasting.advance(&Controls::default(), time).unwrap();
-        assert_ne!(limit, Some(Limit::Lost), "flight {flight}");
+        let mut size = largest(&ship);
+        for _ in 0..40 {
+            let limit = coasting.advance(&Controls::default(), time / 40.0).unwrap();
+            assert_ne!(limit, Some(Limit::Lost), "flight {flight}");
+            size = size.max(largest(&coasting));
+        }
         // An engine as weak as this one moves nothing by more than rounding.
         let mut driven = ship;
         let weak = controls([1e-30, 0.0, 0.0], [0.0; 3]);
@@ -117,7 +122,6 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
         let distance = (driven.place().position - coasting.place().position).length();
         let clocks = (driven.time() - coasting.time()).abs() / (1.0 + coasting.time().abs());
         let axes = coasting.frame();
-        let size = largest(&coasting);
         let turned = (driven.frame() - axes)
             .to_cols_array()
             .into_iter()
@@ -125,27 +129,6 @@ fn a_random_ship_that_coasts_is_where_its_equations_with_an_engine_lead() {
         let error = (distance / coasting.place().r)
             .max(clocks)
             .max(turned / size);
-        if error / (size * size * ship.place().r.max(1.0)) > 5e-13 {
-            println!(
-                "COAST err {error:e} size {size:.2} end r {} spin {} place {:e} clocks {:e} turned {:e} start {} theta {} time {time} driven {:?} coasting {:?} balance {:?} {:?} apsides {:?} E {} L {} pro {} ret {} limit {limit:?}",
-                coasting.place().r,
-                ship.kerr().spin,
-                distance / coasting.place().r,
-                clocks,
-                turned / size,
-                ship.place().r,
-                ship.place().theta(),
-                driven.error(),
-                coasting.error(),
-                driven.balance(),
-                coasting.balance(),
-                lightfall_core::optics::ship::Apsides::of(&ship),
-                ship.constants().energy,
-                ship.constants().angular_momentum,
-                ship.kerr().photon_orbit_prograde(),
-                ship.kerr().photon_orbit_retrograde()
-            );
-        }
         worst = worst.max(error / (size * size * ship.place().r.max(1.0)));
     }
     eprintln!(

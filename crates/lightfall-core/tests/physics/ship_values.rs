@@ -150,11 +150,7 @@ fn falls_last_as_long_as_the_closed_forms_say() {
 #[test]
 fn lives_inside_are_as_long_as_the_closed_forms_say() {
     let still = Kerr { spin: 0.0 };
-    assert_digits(
-        "longest",
-        longest_life(still, 1.0, 0.0),
-        std::f64::consts::FRAC_PI_2,
-    );
+    assert_digits("longest", longest_life(still, 1.0, 0.0), FRAC_PI_2);
     assert_digits("from infinity", radial_life(1.0, 1.0), 0.6666666667);
     for (r, expected) in [(1.5, 0.8890032891), (3.0, 0.7486366366)] {
         let start = ship(0.0, ObserverKind::Static, [0.0; 3], r, 90.0);
@@ -173,7 +169,7 @@ fn lives_inside_are_as_long_as_the_closed_forms_say() {
         assert_digits(
             "equator",
             longest_life(kerr, kerr.horizon(), 0.0),
-            std::f64::consts::FRAC_PI_2,
+            FRAC_PI_2,
         );
     }
     for (spin, expected) in [(0.9, 2.1389608636), (0.998, 2.2197757007)] {

@@ -47,14 +47,20 @@ impl Ship {
                 self.accept(length, &step);
                 left = if length < left { left - length } else { 0.0 };
             } else {
-                // The ship is within its limits, so that the bisection finds a step unless one does
-                // not converge.
-                let Some((length, step)) = self.step_to_limit(controls, length) else {
+                // Where the limit is, a step of the full tolerance leads, or several.
+                let reached = self.time_to_limit(controls, length).and_then(|time| {
+                    let (length, step) = self.converged_step(&place, controls, time)?;
+                    Some((length, step, length == time))
+                });
+                let Some((length, step, is_there)) = reached else {
                     return Some(Limit::Lost);
                 };
                 self.accept(length, &step);
-                let inward = step_radius(self.kerr, &step) < place.r;
-                return Some(if inward { Limit::Inner } else { Limit::Outer });
+                left -= length;
+                if is_there {
+                    let inward = step_radius(self.kerr, &step) < place.r;
+                    return Some(if inward { Limit::Inner } else { Limit::Outer });
+                }
             }
         }
     }
@@ -142,23 +148,23 @@ impl Ship {
         step
     }
 
-    /// The step that ends at a limit: by bisection of its length, on the near side.
-    fn step_to_limit(&mut self, controls: &Controls, length: f64) -> Option<(f64, Step<NUMBERS>)> {
-        // A shorter step than one that converged does so too, but for rounding.
+    /// The time until a limit, shorter than that of a step that converged and leads past it: by
+    /// bisection, on the near side. `None` if steps do not converge.
+    fn time_to_limit(&mut self, controls: &Controls, length: f64) -> Option<f64> {
+        // A shorter step converges too, but for rounding.
         let tolerance = BISECTION_TOLERANCE * self.tolerance;
         let (mut low, mut high) = (0.0, length);
-        let mut found = None;
         for _ in 0..LIMIT_HALVINGS {
             let middle = 0.5 * (low + high);
             let step = self.try_step(controls, middle, tolerance)?;
             if self.is_within_limits(&step) {
                 low = middle;
-                found = Some((middle, step));
             } else {
                 high = middle;
             }
         }
-        found
+        // Only a limit at the very start leaves nothing.
+        Some(if low > 0.0 { low } else { high })
     }
 
     /// Takes a step, and adds up its error.
