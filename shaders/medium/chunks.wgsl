@@ -1,9 +1,7 @@
-// The light of a disk with thickness along a part of a step. The part is divided into chunks, which end
-// where the smooth density has the optical depths 1, 3, 7, 11 and so on from the start of the part.
-// A chunk has Gauss-Legendre nodes, four in a vector. The depth up to each of them follows from the
-// polynomial through the densities at all of them.
+// The light of a chunk of a ray's way through a disk with thickness. A chunk has Gauss-Legendre nodes, four
+// in a vector. The depth up to each of them follows from the polynomial through the densities at all of them.
 //
-// Gives: Factors, Places, add_disk.
+// Gives: Factors, Places, add_chunk, places_at.
 
 // Four places of a step inside the medium.
 struct Places {
@@ -22,10 +20,6 @@ struct Factors {
     density: vec4<f32>,
 }
 
-// Places of a part at which the smooth density decides where chunks end.
-const DENSITIES: u32 = 9u;
-// More chunks than a part has before nothing comes through it.
-const MAX_CHUNKS: u32 = 16u;
 // A chunk with more depth than the second number is summed in order, because the polynomial would
 // overshoot; between the two numbers both ways count, so that no edge shows where they differ.
 const SMOOTH_DEPTHS: vec2<f32> = vec2<f32>(4.0, 8.0);
@@ -43,15 +37,21 @@ fn places_at(way: Way, orbit: KerrRay, share: vec4<f32>) -> Places {
     return Places(r, n_z, opening, slowing, way.h * sigma * slowing * opacity(r, n_z, opening));
 }
 
-// Adds a chunk between two shares of a step.
-fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, ends: vec2<f32>) {
+// Adds a chunk between two shares of a step, unless its smooth matter has more than `most` depth. Gives
+// whether it was added.
+fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, ends: vec2<f32>, most: f32) -> bool {
     var node_places = MEDIUM_PLACES;
     var node_weights = MEDIUM_WEIGHTS;
     var partial = MEDIUM_PARTIAL;
     let width = ends.y - ends.x;
+    var smooth_depth = 0.0;
     var places: array<Places, MEDIUM_BLOCKS>;
     for (var i = 0u; i < MEDIUM_BLOCKS; i++) {
         places[i] = places_at(way, orbit, ends.x + width * node_places[i]);
+        smooth_depth += width * dot(node_weights[i], places[i].rate);
+    }
+    if smooth_depth > most {
+        return false;
     }
     var factors = matter_factors(way, ends, places);
     var depth = 0.0;
@@ -60,7 +60,7 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
         depth += width * dot(node_weights[i], places[i].rate);
     }
     if depth <= 0.0 {
-        return;
+        return true;
     }
     let in_order = smoothstep(SMOOTH_DEPTHS.x, SMOOTH_DEPTHS.y, depth);
     var passed = 0.0;
@@ -84,51 +84,5 @@ fn add_chunk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: P
     }
     (*result).transmission *= exp(-depth);
     (*result).samples += MEDIUM_NODES;
-}
-
-// Adds a span of a step inside the disk, between two shares of the step.
-fn add_disk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Photon, span: vec2<f32>) {
-    let width = (span.y - span.x) / f32(DENSITIES - 1u);
-    if width <= 1e-7 {
-        return;
-    }
-    // Where the chunk begins, and the depth at which it ends; and the density at the last place, with the
-    // depth up to it.
-    var start = span.x;
-    var limit = 1.0;
-    var place = 1u;
-    var density = places_at(way, orbit, vec4<f32>(span.x)).rate.x * width;
-    var depth = 0.0;
-    for (var chunk = 0u; chunk <= MAX_CHUNKS; chunk++) {
-        // Neighbouring rays find the ends of their chunks first, and then add the chunks together.
-        var stop = span.y;
-        for (var i = place; i < DENSITIES; i++) {
-            let next_density = places_at(way, orbit, vec4<f32>(span.x + width * f32(i))).rate.x * width;
-            let next_depth = depth + 0.5 * (density + next_density);
-            if next_depth > limit && chunk < MAX_CHUNKS {
-                // Where the depth of a linear density is the limit.
-                let missing = limit - depth;
-                let root = sqrt(max(density * density + 2.0 * (next_density - density) * missing, 0.0));
-                let share = clamp(2.0 * missing / max(density + root, TINY), 0.0, 1.0);
-                stop = min(span.x + width * (f32(i) - 1.0 + share), span.y);
-                break;
-            }
-            depth = next_depth;
-            density = next_density;
-            place = i + 1u;
-        }
-        if stop > start {
-            let parts = parts_of_chunk();
-            let part = (stop - start) / f32(parts);
-            for (var i = 0u; i < parts; i++) {
-                let ends = vec2<f32>(start + part * f32(i), select(start + part * f32(i + 1u), stop, i + 1u == parts));
-                add_chunk(result, way, orbit, photon, ends);
-            }
-        }
-        if (*result).transmission < MIN_TRANSMISSION || place >= DENSITIES {
-            return;
-        }
-        start = stop;
-        limit += select(4.0, 2.0, chunk == 0u);
-    }
+    return true;
 }

@@ -16,9 +16,10 @@ struct Jet {
     speed: f32,
     rise: f32,
     rest: f32,
-    // The radii where the light begins and ends.
+    // The radii where the light begins and ends, and the length of its fade.
     base: f32,
     length: f32,
+    fade: f32,
     // A jet's radius where r = 1, and the power with which the emission falls with the radius.
     radius: f32,
     decay: f32,
@@ -41,8 +42,6 @@ struct Jet {
 
 // The radius of the spine, as a share of the jet's.
 const SPINE_WIDTH: f32 = 0.25;
-// The share of the length over which the jets fade.
-const JET_END: f32 = 0.6;
 // The radius of a jet beyond which the matter swirls less.
 const SWIRL_RADIUS: f32 = 2.0;
 
@@ -82,7 +81,7 @@ fn jet_emission(r: f32, stream: f32) -> f32 {
     let stream2 = stream * stream;
     let rim = max(1.0 - stream2 * stream2, 0.0);
     let across = jet_across(sqrt(stream), stream) * rim * rim;
-    let ends = jet_fade(r / jet.base - 1.0) * jet_fade((jet.length - r) / (JET_END * jet.length));
+    let ends = jet_fade(r / jet.base - 1.0) * jet_fade((jet.length - r) / jet.fade);
     return across * ends * exp2(-jet.decay * log2(jet_radius(r)));
 }
 

@@ -55,7 +55,7 @@ const SCENES: [(f64, [f64; 2], f64, f64); 4] = [
 #[ignore = "needs a graphics adapter"]
 fn light_holds_the_error_that_chooses_its_nodes() {
     for (spin, camera, thickness, depth) in SCENES {
-        for max_error in [0.07, MEDIUM_LIGHT, 0.001] {
+        for max_error in [0.1, MEDIUM_LIGHT, 0.002] {
             let mut scene = thick_scene(spin, camera, thickness, depth);
             scene.quality.max_error_light = max_error;
             let errors = errors(&light(&scene, [48, 27], 1e-5));

@@ -26,7 +26,7 @@ fn random_scene(random: &mut Random) -> Scene {
         scene.sky.mode = SkyMode::Off;
         set_place(random, &mut scene);
         set_disk(random, &mut scene);
-        scene.quality.max_error_light = random.of(&[0.07, 0.02, 0.001]);
+        scene.quality.max_error_light = random.of(&[0.1, 0.02, 0.002]);
         let effects = &mut scene.effects;
         for effect in [
             &mut effects.doppler,

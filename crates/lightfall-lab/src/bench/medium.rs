@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
 /// The largest errors that are asked for: those with three, four, eight and twelve nodes in a chunk.
-const MAX_ERRORS: [f64; 4] = [0.07, 0.012, 0.001, 0.0001];
+const MAX_ERRORS: [f64; 4] = [0.1, 0.012, 0.002, 0.0001];
 
 /// The number of waves of the living disks.
 const WAVES: u32 = 24;

@@ -24,8 +24,6 @@ const SPINE_WIDTH: f64 = 0.25;
 const COLOUR_RADIUS: f64 = 10.0;
 /// The share of the base's radius at which the matter is at rest.
 const REST: f64 = 0.9;
-/// The share of the length over which the jets fade.
-const END: f64 = 0.6;
 /// The radius of a jet beyond which the matter swirls less, in r_s.
 const SWIRL_RADIUS: f64 = 2.0;
 
@@ -48,6 +46,8 @@ pub struct Shape {
     pub base: f64,
     /// The radius where it has faded.
     pub length: f64,
+    /// The share of this radius over which it fades.
+    pub fade: f64,
     /// The power of the jet's radius with which the emission falls.
     pub decay: f64,
     /// Velocity about the axis over that along it, at the edge near the base.
@@ -66,12 +66,13 @@ impl Shape {
         Self {
             kappa: 0.88,
             width,
-            sheath: [0.84, 0.1],
-            spine: 0.08,
+            sheath: [0.74, 0.16],
+            spine: 0.2,
             speed,
             rise: 8.0,
             base: 1.3 * kerr.horizon(),
             length,
+            fade: 0.9,
             decay: 1.4,
             swirl: 0.5,
             colour,
@@ -127,7 +128,7 @@ impl Jet {
         let swirl = SWIRL_RADIUS / (2.0 * shape.width).sqrt();
         [
             2.0 * shape.base,
-            (1.0 - END) * shape.length,
+            (1.0 - shape.fade) * shape.length,
             swirl.powf(1.0 / (1.0 - 0.5 * shape.kappa)),
         ]
     }
@@ -147,7 +148,8 @@ impl Jet {
     /// Emission of the smooth jets for each r_s of the way in the matter's frame.
     pub fn emissivity(&self, r: f64, cos_theta: f64) -> f64 {
         let shape = self.shape;
-        let ends = fade(r / shape.base - 1.0) * fade((shape.length - r) / (END * shape.length));
+        let ends =
+            fade(r / shape.base - 1.0) * fade((shape.length - r) / (shape.fade * shape.length));
         self.profile(self.across(r, cos_theta)) * self.radius(r).powf(-shape.decay) * ends
     }
 
