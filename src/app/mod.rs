@@ -34,6 +34,10 @@ pub use motion::flight_step::FlightStep;
 pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
+pub use motion::ship::{
+    Engine, Flown, HEADINGS, HoldKind, News, Nose, Records, ShipFlight, ShipFrame, Stick,
+    own_time_rate,
+};
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
 pub use motion::zoom::zoomed;
 pub use session::adaptive_resolution::{next_share, wanted_rate};
@@ -202,7 +206,7 @@ pub fn program(start: Start) -> App {
             target: RenderTarget::default(),
         })
         .add_plugins((
-            state::toast::plugin,
+            (state::toast::plugin, state::helm::plugin),
             state::end_card::plugin,
             state::menu::plugin,
             state::notice::plugin,
@@ -241,6 +245,7 @@ pub fn program(start: Start) -> App {
             motion::zoom::plugin,
             motion::journey::plugin,
             motion::free_fall::plugin,
+            motion::ship::plugin,
             motion::edge_view::plugin,
             motion::pause::plugin,
             motion::disk_clock::plugin,

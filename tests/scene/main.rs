@@ -51,6 +51,7 @@ mod rays;
 mod release;
 mod resolution;
 mod settings;
+mod ship;
 mod steering;
 mod unused;
 mod unwritable;

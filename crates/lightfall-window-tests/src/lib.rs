@@ -5,7 +5,7 @@ mod order;
 mod state;
 
 pub use order::{Order, Pad, Stroke};
-pub use state::{Answer, Place, State, Text, fields_of};
+pub use state::{Answer, Place, ShipState, State, Text, fields_of};
 
 /// The variable that names the file for the state. Without it the program is not watched.
 pub const STATE_FILE: &str = "LIGHTFALL_STATE_FILE";

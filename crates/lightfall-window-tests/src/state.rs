@@ -38,6 +38,8 @@ pub struct State {
     pub journey: Option<f64>,
     /// Whether an observer was let go and still moves.
     pub falls: bool,
+    /// The ship, while the hands fly it.
+    pub ship: Option<ShipState>,
     /// How fast the observer's time passes when it falls.
     pub pace: f64,
     /// How far the picture of the scene is drawn, e.g. `Averaging(3)` or `Done`.
@@ -55,6 +57,29 @@ pub struct State {
     /// Whether the picture was kept, and for each frame after the key for more light whether its
     /// picture differs from the one that was kept.
     pub kept: Option<Vec<bool>>,
+}
+
+/// The ship in the player's hands. Lengths are in r_s, times in r_s/c.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ShipState {
+    /// The ship's own clock.
+    pub own_time: f64,
+    /// The radii of the turning points if it coasts.
+    pub periapsis: Option<f64>,
+    /// See `periapsis`.
+    pub apoapsis: Option<f64>,
+    /// The proper acceleration, in c^2/r_s.
+    pub acceleration: f64,
+    /// The rapidity spent.
+    pub rapidity_used: f64,
+    /// How fast its time passes, as a multiple of the usual pace.
+    pub pace: f64,
+    /// What holds it and where, such as `Orbit(6.0)`; empty if nothing does.
+    pub hold: String,
+    /// What its nose turns to or follows, such as `Retrograde`; empty if the gyroscopes hold it.
+    pub heading: String,
+    /// The attempt at a mission: its name and its outcome; empty without one.
+    pub mission: [String; 2],
 }
 
 /// A rectangle of the window, in points, which are pixels at the usual scale.

@@ -8,10 +8,11 @@ use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContext, EguiFullOutput, EguiPostUpdateSet};
-use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu};
+use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu, ShipFlight};
+use lightfall_core::optics::ship::Apsides;
 use lightfall_render::{Comparison, ComparisonMode, DrawnScene, Progress};
 use std::path::PathBuf;
-use watched::{State, fields_of};
+use watched::{ShipState, State, fields_of};
 
 /// The file for the state.
 #[derive(Resource)]
@@ -31,7 +32,7 @@ fn write_state(
     scene: Res<DrawnScene>,
     mut egui: Query<(&mut EguiContext, &EguiFullOutput)>,
     (orders, answers, kept): (Res<Orders>, Res<Answers>, Res<KeptPicture>),
-    (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
+    (player, fall, ship): (Res<JourneyPlayer>, Res<FreeFall>, Res<ShipFlight>),
     (progress, pacing): (Res<Progress>, Res<FramePacing>),
     (menu, comparison, layout): (Res<Menu>, Res<Comparison>, Res<Layout>),
     window: Single<(&Window, &CursorOptions), With<PrimaryWindow>>,
@@ -66,6 +67,7 @@ fn write_state(
         answer: answers.last.clone(),
         journey: player.is_playing().then(|| player.time()),
         falls: fall.is_moving(),
+        ship: ship_state(&ship),
         pace: fall.rate(1.0),
         progress: format!("{:?}", *progress),
         resting: pacing.resting,
@@ -86,4 +88,30 @@ fn write_state(
     std::fs::write(&part, json)
         .and_then(|()| std::fs::rename(part, &file.0))
         .expect("the folder of the state can be written to");
+}
+
+fn ship_state(ship: &ShipFlight) -> Option<ShipState> {
+    let flight = &ship.voyage()?.flight;
+    let apsides = Apsides::of(&flight.ship);
+    let attempt = ship.attempt();
+    Some(ShipState {
+        own_time: flight.ship.proper_time(),
+        periapsis: apsides.periapsis,
+        apoapsis: apsides.apoapsis,
+        acceleration: flight.acceleration().length(),
+        rapidity_used: flight.rocket.used(),
+        pace: ship.pace(),
+        hold: ship
+            .hold()
+            .map_or_else(String::new, |hold| format!("{hold:?}")),
+        heading: ship
+            .heading()
+            .map_or_else(String::new, |heading| format!("{heading:?}")),
+        mission: attempt.map_or_else(Default::default, |attempt| {
+            [
+                attempt.mission.name.clone(),
+                format!("{:?}", attempt.outcome()),
+            ]
+        }),
+    })
 }

@@ -168,6 +168,10 @@ pub enum AppCommand {
     FasterTime,
     /// Let the observer's proper time, or the disk's clock, run slower.
     SlowerTime,
+    /// Take the controls of the ship, or leave them.
+    TakeControls,
+    /// Let the ship hold still. Only at its controls.
+    Hover,
     /// Pin the present settings to the left half of the picture, or end the comparison.
     Compare,
     /// Show the difference from the pinned settings, or amplify it more.
@@ -200,4 +204,16 @@ pub enum FlightInput {
     Slower,
     Narrower,
     Wider,
+}
+
+impl FlightInput {
+    /// Those that push.
+    pub(crate) const THRUST: [Self; 6] = [
+        Self::Forward,
+        Self::Backward,
+        Self::Left,
+        Self::Right,
+        Self::Up,
+        Self::Down,
+    ];
 }

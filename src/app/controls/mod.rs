@@ -7,6 +7,7 @@ pub(crate) mod control;
 mod default_keys;
 pub(crate) mod edits;
 pub(crate) mod empty_view;
+pub(crate) mod helm;
 pub(crate) mod key_feedback;
 pub(crate) mod key_labels;
 pub(crate) mod keys;

@@ -76,6 +76,7 @@ pub const CONTROLS: &[Control] = controls! {
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);
         "motion.faster" [Period] "slow down, speed up time" Do(AppCommand::FasterTime);
+        "ship.fly" Shift + [KeyF] "ship: take, leave its controls" Do(AppCommand::TakeControls);
     }
     Scene {
         "preset.1" [Digit1] "presets" Load(1);

@@ -30,14 +30,27 @@ impl HeldControls<'_, '_> {
 
     /// Whether a control that moves the camera is held.
     pub(crate) fn any_flight(&self) -> bool {
-        use FlightInput::{Backward, Down, Forward, Left, Right, Up};
-        [Forward, Backward, Left, Right, Up, Down]
+        FlightInput::THRUST
             .into_iter()
             .any(|input| self.strength(input) > 0.0)
     }
 
+    /// One input against its opposite, from 1 to -1, by keys alone.
+    pub(crate) fn key_axis(&self, plus: FlightInput, minus: FlightInput) -> f64 {
+        f64::from(i8::from(self.is_by_key(plus)) - i8::from(self.is_by_key(minus)))
+    }
+
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
+        if self.is_by_key(input) {
+            1.0
+        } else {
+            self.pads.strength(input)
+        }
+    }
+
+    /// Whether an input's key is pressed.
+    fn is_by_key(&self, input: FlightInput) -> bool {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);
         // Modifiers are not asked for: Shift flies faster, Alt slower and Ctrl down.
         // A tap that begins and ends within one slow frame counts for that frame.
@@ -47,11 +60,6 @@ impl HeldControls<'_, '_> {
             .bindings
             .iter()
             .filter(|(control, _)| holds(control.action));
-        let by_key = !self.typing.is_on() && controls.any(|(_, codes)| codes.iter().any(flies));
-        if by_key {
-            1.0
-        } else {
-            self.pads.strength(input)
-        }
+        !self.typing.is_on() && controls.any(|(_, codes)| codes.iter().any(flies))
     }
 }

@@ -5,11 +5,13 @@ use super::gamepad::Pads;
 use super::held::ClaimedKeys;
 use super::typing::{MouseOverPanel, Typing};
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
+use crate::app::controls::control::{Action, AppCommand, Control, FlightInput, Modifier};
 use crate::app::controls::edits::edited;
 use crate::app::controls::empty_view::why_empty;
+use crate::app::controls::helm::{button_at_helm, key_at_helm};
 use crate::app::controls::key_feedback::remark;
 use crate::app::controls::statement::statement;
+use crate::app::state::helm::CommandSender;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;
@@ -35,7 +37,7 @@ pub(super) fn apply_pressed_controls(
     mut claimed: ResMut<ClaimedKeys>,
     pads: Pads,
     mut editor: SceneEditor,
-    mut commands: MessageWriter<AppCommand>,
+    mut commands: CommandSender,
     mut waiting: Local<Vec<(KeyCode, Option<Modifier>)>>,
 ) {
     let listens = !typing.has_keyboard && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
@@ -61,21 +63,44 @@ pub(super) fn apply_pressed_controls(
     if listens && presses.iter().any(kept) {
         editor.say("The mouse is over the panel: click a field to type a number");
     }
+    let has_ship = commands.helm.has_ship();
+    let key_action = if has_ship { key_at_helm } else { usual_action };
+    let button_action = if has_ship {
+        button_at_helm
+    } else {
+        usual_action
+    };
     let by_key = presses
         .into_iter()
         .filter(|press| listens && !kept(press))
         .filter_map(|(code, modifier)| bindings.pressed(code, modifier))
-        .map(|control| (control, bindings.label_of(control)));
+        .map(|control| (control, key_action(control), bindings.label_of(control)));
     let by_button = bindings
         .iter()
-        .filter_map(|(control, _)| Some((control, pads.pressed(control)?)));
-    for (control, input) in by_key.chain(by_button) {
-        if let Action::Do(command) = control.action {
-            commands.write(command);
-        } else {
-            apply(control, &input, &mut editor, &bindings);
+        .filter_map(|(control, _)| Some((control, button_action(control), pads.pressed(control)?)));
+    for (control, action, input) in by_key.chain(by_button) {
+        match action {
+            // Shift is a gear, too: whoever flies means the key without it.
+            Action::Do(AppCommand::TakeControls) if thrusts(&keys, &bindings) => {
+                commands.send(AppCommand::LetGo);
+            }
+            Action::Do(command) => commands.send(command),
+            _ => apply(control, &input, &mut editor, &bindings),
         }
     }
+}
+
+/// What a control does while the hands fly the camera.
+fn usual_action(control: &Control) -> Action {
+    control.action
+}
+
+/// Whether a key that pushes is held.
+fn thrusts(keys: &ButtonInput<KeyCode>, bindings: &Bindings) -> bool {
+    let pushes = |action: Action| matches!(action, Action::Hold(input) if FlightInput::THRUST.contains(&input));
+    bindings
+        .iter()
+        .any(|(control, codes)| pushes(control.action) && keys.any_pressed(codes.iter().copied()))
 }
 
 /// Whether one of the keys was held at any time of the frame.

@@ -1,8 +1,9 @@
-//! Announces that a fall or a journey crosses the horizon.
+//! Announces that a fall, a journey or the ship crosses the horizon.
 
 use super::free_fall::FreeFall;
 use super::journey_player::JourneyPlayer;
 use super::steering::is_inside;
+use crate::app::state::helm::Helm;
 use crate::app::state::notice::Notice;
 use bevy::prelude::*;
 use lightfall_render::CurrentScene;
@@ -12,6 +13,7 @@ pub(crate) fn announce_crossing(
     scene: Res<CurrentScene>,
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
+    helm: Res<Helm>,
     mut notice: ResMut<Notice>,
     mut was_inside: Local<Option<bool>>,
 ) {
@@ -19,7 +21,7 @@ pub(crate) fn announce_crossing(
         return;
     }
     let is_inside = is_inside(&scene);
-    let flies_itself = free_fall.is_moving() || player.is_playing();
+    let flies_itself = free_fall.is_moving() || player.is_playing() || helm.has_ship();
     if is_inside && *was_inside == Some(false) && flies_itself {
         *notice = Notice::new([
             "You have crossed the horizon",

@@ -3,7 +3,7 @@
 //!
 //! `disk.time` is the time at the camera, so the clock depends on how the camera moves:
 //!
-//! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
+//! * An observer that falls or orbits, or flies a ship, has clocks of its own. Its worldline says how much coordinate
 //!   time goes by, and the fall sets the clock. Where a fall has come to its end, the clock stands:
 //!   there is no time left in which anything could be seen.
 //! * A journey drives the clock itself, by the same rule as for numbered pictures.
@@ -18,10 +18,12 @@ use super::free_fall::{FreeFall, advance_free_fall, keys_change_disk_rate};
 use super::journey::advance_journey;
 use super::journey_player::JourneyPlayer;
 use super::pilot::steer_camera;
+use super::ship::advance_ship;
 use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::disk_clock::DiskClock;
+use crate::app::state::helm::Helm;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -121,6 +123,7 @@ pub(crate) fn plugin(app: &mut App) {
             run_disk_clock
                 .after(steer_camera)
                 .after(advance_free_fall)
+                .after(advance_ship)
                 .after(advance_journey),
         ),
     );
@@ -130,7 +133,7 @@ pub(crate) fn plugin(app: &mut App) {
 fn run_disk_clock(
     time: Res<Time>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
-    free_fall: Res<FreeFall>,
+    (free_fall, helm): (Res<FreeFall>, Res<Helm>),
     player: Res<JourneyPlayer>,
     compared: Res<ComparedScene>,
     scene: Res<CurrentScene>,
@@ -141,7 +144,7 @@ fn run_disk_clock(
     // Both sides of a comparison have the same clock.
     let pinned = compared.drawn().map(|(pinned, _)| pinned.scene());
     let either = |has: fn(&Scene) -> bool| has(&scene) || pinned.is_some_and(has);
-    let flies = free_fall.is_moving() || player.is_playing();
+    let flies = free_fall.is_moving() || player.is_playing() || helm.has_ship();
     if flies || !either(Scene::disk_moves) {
         clock.follow(&scene);
         return;

@@ -5,6 +5,7 @@ use super::edge_view::EdgeView;
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
+use super::pose::{Pose, pose_of};
 use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
@@ -23,7 +24,7 @@ use lightfall_core::numbers::{four_digits, three_digits, with_short_numbers};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::worldline::Worldline;
-use lightfall_core::scene::{Observer, Scene};
+use lightfall_core::scene::Scene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
 /// fall takes about as long from anywhere, and one orbit takes a minute and a half.
@@ -66,15 +67,6 @@ struct Motion {
     worldline: Worldline,
     last: Pose,
     limit: Option<Limit>,
-}
-
-/// Where the camera is and how it moves, wherever it looks; and the hole's spin.
-type Pose = ([f64; 3], Observer, f64);
-
-fn pose_of(scene: &Scene) -> Pose {
-    let camera = &scene.camera;
-    let place = [camera.r, camera.theta_deg, camera.phi_deg];
-    (place, scene.observer, scene.hole.spin)
 }
 
 impl Default for FreeFall {

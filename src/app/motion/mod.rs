@@ -1,4 +1,4 @@
-//! Motion of the camera (by hand, by the guided journey, in free fall) and of the disk.
+//! Motion of the camera (by hand, by the guided journey, in free fall, on a ship) and of the disk.
 
 pub(crate) mod crossing;
 pub(crate) mod disk_clock;
@@ -6,10 +6,13 @@ pub(crate) mod edge_view;
 pub(crate) mod facing;
 pub(crate) mod flight_step;
 pub(crate) mod free_fall;
+pub(crate) mod hand;
 pub(crate) mod journey;
 pub(crate) mod journey_player;
 pub(crate) mod orbit_camera;
 pub(crate) mod pause;
 pub(crate) mod pilot;
+mod pose;
+pub(crate) mod ship;
 pub(crate) mod steering;
 pub(crate) mod zoom;

@@ -145,6 +145,7 @@ pub(crate) fn switch_orbit_camera(
             }
             AppCommand::Face
             | AppCommand::LetGo
+            | AppCommand::TakeControls
             | AppCommand::Journey
             | AppCommand::RestartJourney => orbit.loaded = None,
             _ => {}

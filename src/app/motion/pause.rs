@@ -1,9 +1,10 @@
-//! Pausing a journey, a fall or the disk's clock, and going on.
+//! Pausing a journey, a fall, the ship or the disk's clock, and going on.
 
 use super::free_fall::FreeFall;
 use super::journey_player::JourneyPlayer;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
+use crate::app::state::helm::Helm;
 use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
@@ -17,14 +18,15 @@ pub(crate) fn plugin(app: &mut App) {
 fn pause(
     mut commands: MessageReader<AppCommand>,
     player: Res<JourneyPlayer>,
-    free_fall: Res<FreeFall>,
+    (free_fall, helm): (Res<FreeFall>, Res<Helm>),
     scene: Res<CurrentScene>,
     bindings: Res<Bindings>,
     mut moved: Local<bool>,
     mut paused: ResMut<Paused>,
     mut toast: ResMut<Toast>,
 ) {
-    let moves = player.is_playing() || free_fall.is_moving() || scene.disk_moves();
+    let moves =
+        player.is_playing() || free_fall.is_moving() || helm.has_ship() || scene.disk_moves();
     if *moved && !moves {
         paused.0 = false;
     }

@@ -3,25 +3,23 @@
 use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
 use super::free_fall::FreeFall;
-use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
-use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered, thrust_fades};
+use super::hand::{HandInputs, looks};
+use super::orbit_camera::{OrbitCamera, orbited, switch_orbit_camera};
+use super::steering::{Barrier, MIN_RADIUS, Steered, steered, thrust_fades};
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::{AppCommand, FlightInput};
-use crate::app::input::held::HeldControls;
+use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
-use crate::app::input::touch::{Fingers, read_fingers};
-use crate::app::state::MAX_FRAME_SECONDS;
+use crate::app::input::touch::read_fingers;
+use crate::app::state::helm::Helm;
 use crate::app::state::overlays::Overlays;
-use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
-use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
-use bevy::math::{DVec2, DVec3};
+use bevy::input::mouse::{AccumulatedMouseScroll, MouseScrollUnit};
+use bevy::math::DVec3;
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_platform::IN_BROWSER;
-use std::f64::consts::PI;
 
 /// The state of the mouse's controls.
 #[derive(Resource)]
@@ -31,39 +29,19 @@ pub(crate) struct Pilot {
     /// Whether the mouse looks around without a button being held.
     pub(crate) free_look: bool,
     /// Whether the left button was pressed over the picture and is still held.
-    drags: bool,
+    pub(super) drags: bool,
     /// Whether the browser held the mouse for the page in the last frame.
     #[cfg(target_arch = "wasm32")]
     was_locked: bool,
-    /// Notches of the wheel in this frame that move the orbit camera.
-    orbit_notches: f64,
+    /// Notches of the wheel in this frame that move the orbit camera or set the ship's thrust.
+    pub(super) notches: f64,
 }
 
-/// Shift flies faster and Alt slower by this factor.
-pub(crate) const GEAR: f64 = 4.0;
 /// One notch of the wheel changes the speed by this factor, within a range.
 const THROTTLE_NOTCH: f64 = 1.15;
 const THROTTLE_RANGE: [f64; 2] = [0.02, 50.0];
 /// Pixels of a touchpad's scroll that count as one notch.
 const PIXELS_PER_NOTCH: f32 = 40.0;
-/// Roll about the line of sight, in radians per second.
-const ROLL_SPEED: f64 = 0.9;
-/// Turn per pixel of mouse motion, as a share of the vertical field of view.
-const MOUSE_TURN: f64 = 1.0 / 500.0;
-/// Turn per second by a stick or a key, as a share of the vertical field of view.
-const STICK_TURN: f64 = 1.0;
-/// Way of the orbit camera around the hole, in radians: per pixel of mouse motion, and per second
-/// by a key or a stick.
-const ORBIT_TURN: f64 = 0.005;
-const ORBIT_SPEED: f64 = 0.7;
-/// Seconds of flight by which one notch of the wheel moves the orbit camera in or out.
-const ORBIT_NOTCH_SECONDS: f64 = 0.25;
-/// Way of the orbit camera around the hole, in radians, by a finger that is dragged over the whole
-/// height of the window.
-const ORBIT_DRAG: f64 = PI;
-/// Seconds of flight by which two fingers that are spread by a factor of e move the orbit camera in:
-/// its distance then shrinks by about that factor.
-const ORBIT_SPREAD_SECONDS: f64 = 2.5;
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Pilot {
@@ -72,7 +50,7 @@ pub(crate) fn plugin(app: &mut App) {
         throttle: 1.0,
         free_look: false,
         drags: false,
-        orbit_notches: 0.0,
+        notches: 0.0,
     })
     .init_resource::<Facing>()
     .init_resource::<OrbitCamera>()
@@ -92,10 +70,10 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-/// The wheel sets the speed, or moves the orbit camera in and out.
+/// The wheel sets the speed or the ship's thrust, or moves the orbit camera in and out.
 fn use_wheel(
     scroll: Res<AccumulatedMouseScroll>,
-    orbit: Res<OrbitCamera>,
+    (orbit, helm): (Res<OrbitCamera>, Res<Helm>),
     mut pilot: ResMut<Pilot>,
 ) {
     let notches = match scroll.unit {
@@ -105,8 +83,8 @@ fn use_wheel(
     if notches == 0.0 {
         return;
     }
-    if orbit.is_on() {
-        pilot.orbit_notches += f64::from(notches);
+    if orbit.is_on() || helm.has_ship() {
+        pilot.notches += f64::from(notches);
         return;
     }
     let [slowest, fastest] = THROTTLE_RANGE;
@@ -177,116 +155,20 @@ fn follow_pointer_lock(pilot: &mut Pilot, cursor: &CursorOptions) {
     pilot.was_locked = locked;
 }
 
-/// Whether the mouse moves the camera.
-fn looks(pilot: &Pilot, buttons: &ButtonInput<MouseButton>) -> bool {
-    pilot.free_look || pilot.drags || buttons.pressed(MouseButton::Right)
-}
-
-/// The user's input to flying in one frame.
-struct Hand {
-    /// Thrust toward the camera's right, up and forward, of length one at most.
-    thrust: DVec3,
-    /// Turn to the right and up by sticks and keys, and motion of the mouse in pixels, up being positive.
-    stick: DVec2,
-    mouse: DVec2,
-    /// Way of a dragging finger to the right and up, as a share of the window's height; power of e by
-    /// which two fingers are spread, and their clockwise turn in radians.
-    finger: DVec2,
-    spread: f64,
-    turn: f64,
-    roll: f64,
-    /// Factor of the speed by the keys.
-    gear: f64,
-}
-
-impl Hand {
-    fn of(
-        held: &HeldControls,
-        preferences: &Preferences,
-        pilot: &Pilot,
-        buttons: &ButtonInput<MouseButton>,
-        motion: DVec2,
-        fingers: &Fingers,
-    ) -> Self {
-        let settings = &preferences.settings;
-        let (left, right) = (held.pads.left_stick(), held.pads.right_stick());
-        let thrust = DVec3::new(
-            held.axis(FlightInput::Right, FlightInput::Left) + left.x,
-            held.axis(FlightInput::Up, FlightInput::Down),
-            held.axis(FlightInput::Forward, FlightInput::Backward) + left.y,
-        );
-        let arrows = DVec2::new(
-            held.axis(FlightInput::LookRight, FlightInput::LookLeft),
-            held.axis(FlightInput::LookUp, FlightInput::LookDown),
-        );
-        let up = DVec2::new(1.0, if settings.invert_y { -1.0 } else { 1.0 });
-        let mouse = if !held.typing.is_on() && looks(pilot, buttons) {
-            motion * DVec2::new(1.0, -1.0) * settings.mouse_sensitivity
-        } else {
-            DVec2::ZERO
-        };
-        Self {
-            thrust: thrust.clamp_length_max(1.0),
-            stick: right * up + arrows,
-            mouse: mouse * up,
-            finger: fingers.drag,
-            spread: fingers.spread,
-            turn: fingers.turn,
-            roll: held.axis(FlightInput::RollRight, FlightInput::RollLeft),
-            gear: GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
-        }
-    }
-
-    /// The steering in free flight. `None` if there is no input.
-    fn steering(&self, scene: &Scene, throttle: f64, seconds: f64) -> Option<Steering> {
-        // Right and up, as shares of the field of view. The picture follows fingers, so the camera turns
-        // the other way.
-        let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds - self.finger;
-        let roll = self.roll * ROLL_SPEED * seconds - self.turn;
-        let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;
-        let turn = (look * 2.0 * half_height).extend(roll);
-        (self.thrust != DVec3::ZERO || turn != DVec3::ZERO).then_some(Steering {
-            thrust: self.thrust,
-            turn,
-            speed: self.gear * throttle,
-            seconds,
-        })
-    }
-
-    /// The step of the orbit camera, or `None` without input. The mouse and a finger drag the picture,
-    /// so the camera goes the other way.
-    fn orbit_step(&self, notches: f64, seconds: f64) -> Option<OrbitStep> {
-        let keys = self.thrust.truncate() + self.stick;
-        let drag = self.mouse * ORBIT_TURN + self.finger * ORBIT_DRAG;
-        let around = keys * ORBIT_SPEED * self.gear * seconds - drag;
-        let approach = notches * ORBIT_NOTCH_SECONDS + self.spread * ORBIT_SPREAD_SECONDS;
-        let rise = -(self.thrust.z * self.gear * seconds + approach);
-        let roll = self.roll * ROLL_SPEED * seconds;
-        (around != DVec2::ZERO || rise != 0.0 || roll != 0.0).then_some(OrbitStep {
-            around,
-            rise: rise.signum(),
-            time: rise.abs(),
-            roll,
-        })
-    }
-}
-
 pub(super) fn steer_camera(
-    held: HeldControls,
-    buttons: Res<ButtonInput<MouseButton>>,
-    motion: Res<AccumulatedMouseMotion>,
-    fingers: Res<Fingers>,
-    time: Res<Time>,
-    (preferences, bindings): (Res<Preferences>, Res<Bindings>),
-    (orbit, free_fall): (Res<OrbitCamera>, Res<FreeFall>),
+    inputs: HandInputs,
+    bindings: Res<Bindings>,
+    (orbit, free_fall, helm): (Res<OrbitCamera>, Res<FreeFall>, Res<Helm>),
     mut pilot: ResMut<Pilot>,
     mut facing: ResMut<Facing>,
     mut editor: SceneEditor,
 ) {
-    let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
-    let motion = motion.delta.as_dvec2();
-    let hand = Hand::of(&held, &preferences, &pilot, &buttons, motion, &fingers);
-    let notches = std::mem::take(&mut pilot.orbit_notches);
+    if helm.has_ship() {
+        return;
+    }
+    let seconds = inputs.seconds();
+    let hand = inputs.hand(&pilot);
+    let notches = std::mem::take(&mut pilot.notches);
     let scene = editor.drawn_scene();
     let (flown, moves) = if orbit.is_on() {
         let Some(step) = hand.orbit_step(notches, seconds) else {

@@ -5,6 +5,7 @@ use crate::app::controls::control::AppCommand;
 use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::state::helm::CommandSender;
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::layout::{GAP, Importance, Layout, Slide};
@@ -87,7 +88,7 @@ fn show_touch_bar(
     (free_fall, player): (Res<FreeFall>, Res<JourneyPlayer>),
     mut bar: ResMut<TouchBar>,
     mut menu: ResMut<Menu>,
-    mut commands: MessageWriter<AppCommand>,
+    mut commands: CommandSender,
 ) -> Result {
     if !bar.open {
         return Ok(());
@@ -131,9 +132,7 @@ fn show_touch_bar(
     };
     bar.open = false;
     match used {
-        Use::Command(command) => {
-            commands.write(command);
-        }
+        Use::Command(command) => commands.send(command),
         Use::Places => {
             menu.open();
             menu.show_places();

@@ -7,7 +7,7 @@
 use super::heading::{Heading, motion_rate, turn_to};
 use super::holds::{Hold, HoldRefusal};
 use super::rocket::Rocket;
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use lightfall_model::geometry::ship::{Controls, Ship, ShipError};
 use lightfall_model::geometry::timelike::Limit;
 
@@ -112,6 +112,17 @@ impl Flight {
         }
         if orders.thrust == Thrust::Off {
             self.acceleration = DVec3::ZERO;
+        }
+    }
+
+    /// Turns the ship at once, by hand: about this axis on the ship's axes, by its length in radians.
+    pub fn turn(&mut self, rotation: DVec3) {
+        if rotation != DVec3::ZERO {
+            self.ship
+                .turn(DMat3::from_quat(DQuat::from_scaled_axis(rotation)));
+            self.turned += rotation.length();
+            // What a tick commands is on the axes before the turn.
+            self.tick = None;
         }
     }
 

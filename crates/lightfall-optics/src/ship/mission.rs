@@ -120,6 +120,11 @@ impl Attempt {
         self.voyage.flight.order(orders);
     }
 
+    /// Turns the ship at once, by hand, as [`Flight::turn`] does.
+    pub fn turn(&mut self, rotation: DVec3) {
+        self.voyage.flight.turn(rotation);
+    }
+
     /// Lets own time pass, or less if the attempt ends before. What happens in an attempt that is
     /// over changes nothing of its outcome.
     ///

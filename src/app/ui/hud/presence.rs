@@ -5,6 +5,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::FADE;
+use crate::app::state::helm::Helm;
 use crate::app::state::preferences::Preferences;
 use bevy::input::mouse::MouseWheel;
 use bevy::prelude::*;
@@ -72,7 +73,7 @@ fn watch_input(
     mut moves: MessageReader<CursorMoved>,
     mut wheel: MessageReader<MouseWheel>,
     pacing: Res<FramePacing>,
-    free_fall: Res<FreeFall>,
+    (free_fall, helm): (Res<FreeFall>, Res<Helm>),
     player: Res<JourneyPlayer>,
     progress: Res<Progress>,
     mut has_picture: Local<bool>,
@@ -83,7 +84,7 @@ fn watch_input(
     presence.reduced_motion = preferences.settings.reduced_motion;
     let pointed = moves.read().count() + wheel.read().count() > 0;
     let pressed = hands.hold() || hands.keys.get_just_pressed().next().is_some();
-    let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
+    let moves = pacing.moving || free_fall.is_moving() || player.is_playing() || helm.has_ship();
     // The first seconds count from the first picture, which may take a while to be drawn.
     *has_picture |= progress.is_shown();
     if pointed || pressed || moves || !*has_picture {

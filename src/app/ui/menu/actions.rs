@@ -2,6 +2,7 @@
 
 use crate::app::controls::control::{Action, AppCommand};
 use crate::app::controls::table::control_named;
+use crate::app::state::helm::CommandSender;
 use crate::app::state::menu::{Menu, MenuEntry};
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::ecs::system::SystemParam;
@@ -13,7 +14,7 @@ use lightfall_core::scene::presets::PRESETS;
 pub(super) struct MenuActions<'w> {
     pub(super) menu: ResMut<'w, Menu>,
     editor: SceneEditor<'w>,
-    commands: MessageWriter<'w, AppCommand>,
+    commands: CommandSender<'w>,
 }
 
 /// An entry's name, and the control that does the same, whose key the entry shows. Empty for an
@@ -51,12 +52,12 @@ impl MenuActions<'_> {
                 self.editor.load("", Ok(scene));
             }
             MenuEntry::Settings => {
-                self.commands.write(AppCommand::Settings);
+                self.commands.send(AppCommand::Settings);
             }
             _ => {
                 let [_, control] = name_and_control(entry);
                 if let Some(Action::Do(command)) = control_named(&control).map(|it| it.action) {
-                    self.commands.write(command);
+                    self.commands.send(command);
                 }
             }
         }

@@ -108,6 +108,7 @@ pub const EFFECTS: &[(&str, Effect)] = &[
     ("picture.compare", Script(scripts::compare)),
     ("picture.difference", Script(scripts::difference)),
     ("motion.let_go", Switches(|state| state.falls)),
+    ("ship.fly", Switches(|state| state.ship.is_some())),
     ("motion.slower", Script(scripts::slower_time)),
     ("motion.faster", Script(scripts::faster_time)),
     ("journey.fly", Switches(|state| state.journey.is_some())),

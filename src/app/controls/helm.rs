@@ -1,0 +1,54 @@
+//! What keys and buttons do at the ship's controls, where this is not what they do elsewhere.
+
+use super::control::{Action, AppCommand, Control};
+use bevy::prelude::Message;
+
+/// What a control asks of the ship.
+#[derive(Message, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShipCommand {
+    /// Switch the engine off, and end what holds and turns the ship.
+    EngineOff,
+    /// Hold the orbit at this radius, or stop holding it.
+    HoldOrbit,
+    /// Hold still, or stop holding still.
+    Hover,
+    /// Turn the nose to the next heading.
+    Face,
+    /// Let time run faster.
+    Faster,
+    /// Let time run slower.
+    Slower,
+}
+
+/// What a command asks of the ship at its controls. `None` if it is not for the ship.
+pub(crate) fn ship_command(command: AppCommand) -> Option<ShipCommand> {
+    Some(match command {
+        AppCommand::LetGo => ShipCommand::EngineOff,
+        AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
+        AppCommand::Hover => ShipCommand::Hover,
+        AppCommand::Face => ShipCommand::Face,
+        AppCommand::FasterTime => ShipCommand::Faster,
+        AppCommand::SlowerTime => ShipCommand::Slower,
+        _ => return None,
+    })
+}
+
+/// What a control's key does at the ship's controls.
+pub(crate) fn key_at_helm(control: &Control) -> Action {
+    match control.id {
+        "scene.observer" => Action::Do(AppCommand::Hover),
+        _ => control.action,
+    }
+}
+
+/// What a control's gamepad button does at the ship's controls. The triggers push.
+pub(crate) fn button_at_helm(control: &Control) -> Action {
+    Action::Do(match control.id {
+        "journey.fly" => AppCommand::OrbitCamera,
+        "scene.spin" => AppCommand::Face,
+        "preset.previous" => AppCommand::SlowerTime,
+        "preset.next" => AppCommand::FasterTime,
+        "fly.orbit" => AppCommand::Hover,
+        _ => return key_at_helm(control),
+    })
+}

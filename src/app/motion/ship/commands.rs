@@ -1,0 +1,177 @@
+//! The ship's keys, and its frames.
+
+use super::frame::ShipFrame;
+use super::ship_flight::{HoldKind, ShipFlight};
+use super::words;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::controls::helm::ShipCommand;
+use crate::app::controls::refusal::no_observer;
+use crate::app::motion::facing::Facing;
+use crate::app::motion::flight_step::FlightStep;
+use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::hand::HandInputs;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::pilot::Pilot;
+use crate::app::state::end_card::EndCard;
+use crate::app::state::helm::Helm;
+use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::window_shot::WindowShot;
+use bevy::prelude::*;
+use lightfall_core::numbers::with_short_numbers;
+use lightfall_core::optics::ship::BoardError;
+
+/// Takes the controls and leaves them by their key. A journey takes them away.
+pub(super) fn take_controls(
+    mut commands: MessageReader<AppCommand>,
+    mut ship: ResMut<ShipFlight>,
+    mut helm: ResMut<Helm>,
+    (mut free_fall, mut player, mut facing): (
+        ResMut<FreeFall>,
+        ResMut<JourneyPlayer>,
+        ResMut<Facing>,
+    ),
+    (mut paused, mut end_card): (ResMut<Paused>, ResMut<EndCard>),
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
+    mut editor: SceneEditor,
+) {
+    for command in commands.read() {
+        match command {
+            AppCommand::Journey | AppCommand::RestartJourney => ship.leave(),
+            AppCommand::TakeControls if ship.is_flown() => {
+                ship.leave();
+                editor.say("You fly the camera");
+            }
+            AppCommand::TakeControls => {
+                let scene = editor.drawn_scene();
+                match ship.board(&scene, preferences.settings.mass()) {
+                    Ok(()) => {
+                        free_fall.stop();
+                        player.stop();
+                        facing.stop();
+                        end_card.close();
+                        paused.0 = false;
+                        editor.note_departure();
+                        editor.say(words::boarded(&bindings));
+                    }
+                    Err(BoardError::Observer(error)) => editor.say(no_observer(&error, &scene)),
+                    Err(error) => editor.say(with_short_numbers(&error.to_string())),
+                }
+            }
+            _ => {}
+        }
+    }
+    set_helm(&ship, &mut helm);
+}
+
+/// Notes what the hands fly.
+fn set_helm(ship: &ShipFlight, helm: &mut ResMut<Helm>) {
+    let flies = match (ship.is_flown(), ship.attempt()) {
+        (false, _) => Helm::Camera,
+        (true, None) => Helm::Ship,
+        (true, Some(_)) => Helm::Mission,
+    };
+    helm.set_if_neq(flies);
+}
+
+/// Does what the keys ask of the ship.
+pub(super) fn apply_ship_commands(
+    mut commands: MessageReader<ShipCommand>,
+    mut ship: ResMut<ShipFlight>,
+    preferences: Res<Preferences>,
+    mut editor: SceneEditor,
+) {
+    let units = preferences.settings.units();
+    for command in commands.read() {
+        let Some(voyage) = ship.voyage() else {
+            continue;
+        };
+        let flying = voyage.flight.ship;
+        match command {
+            ShipCommand::EngineOff => {
+                ship.engine_off();
+                editor.say("Engine off: you fall freely");
+            }
+            ShipCommand::HoldOrbit | ShipCommand::Hover => {
+                let kind = match command {
+                    ShipCommand::HoldOrbit => HoldKind::Orbit,
+                    _ => HoldKind::Still,
+                };
+                editor.say(match ship.switch_hold(kind) {
+                    Ok(_) => words::holding(ship.hold(), kind, units),
+                    Err(refusal) => capitalised(&refusal.to_string()),
+                });
+            }
+            ShipCommand::Face => {
+                let heading = ship.face_next();
+                editor.say(words::facing(heading, &flying));
+            }
+            ShipCommand::Faster | ShipCommand::Slower => {
+                let faster = *command == ShipCommand::Faster;
+                ship.change_pace(if faster { 1 } else { -1 });
+                editor.say(words::pace(&ship, units));
+            }
+        }
+    }
+}
+
+/// The sentence with a capital first letter.
+fn capitalised(sentence: &str) -> String {
+    let mut characters = sentence.chars();
+    let first = characters.next().map(|first| first.to_uppercase());
+    first
+        .map(|first| first.chain(characters).collect())
+        .unwrap_or_default()
+}
+
+/// Moves the ship for one frame.
+pub(crate) fn advance_ship(
+    inputs: HandInputs,
+    mut pilot: ResMut<Pilot>,
+    mut ship: ResMut<ShipFlight>,
+    mut helm: ResMut<Helm>,
+    (paused, shot): (Res<Paused>, Res<WindowShot>),
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
+    mut end_card: ResMut<EndCard>,
+    mut editor: SceneEditor,
+) {
+    if !ship.is_flown() {
+        return;
+    }
+    ship.change_thrust(std::mem::take(&mut pilot.notches));
+    let before = editor.drawn_scene();
+    // While a card is read, the clocks stand still.
+    let stands = paused.0 || shot.holds_still() || end_card.is_open();
+    let seconds = inputs.seconds();
+    let frame = ShipFrame {
+        seconds: if stands { 0.0 } else { seconds },
+        turn_seconds: seconds,
+        stick: inputs.hand(&pilot).stick(&before, seconds),
+        reduced_motion: preferences.settings.reduced_motion,
+    };
+    let (step, news) = ship.advance(&frame, &before);
+    match step {
+        FlightStep::Idle => editor.say(format!(
+            "You fly the camera: {} takes the ship again",
+            bindings.label("ship.fly")
+        )),
+        FlightStep::Moved(next) => editor.fly(&next),
+        FlightStep::Ended(next) => {
+            editor.fly(&next);
+            let text = words::ending(&ship, preferences.settings.units());
+            let again = ("scene.undo", "back to where you took the ship");
+            end_card.show("The flight ends here", &text, again, None);
+            ship.leave();
+        }
+        FlightStep::Refused(reason) => editor.say(format!(
+            "The ship cannot fly on: {}",
+            with_short_numbers(&reason)
+        )),
+    }
+    if let Some(news) = news {
+        editor.say(words::news(news));
+    }
+    set_helm(&ship, &mut helm);
+}

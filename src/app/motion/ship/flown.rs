@@ -1,0 +1,109 @@
+//! What the ship flies: freely, or on a mission.
+
+use super::pace::move_on;
+use glam::DVec3;
+use lightfall_core::geometry::ship::{Ship, ShipError};
+use lightfall_core::optics::readout::tide;
+use lightfall_core::optics::ship::{Attempt, Orders, Voyage};
+use lightfall_core::scene::mission::{Comparison, Quantity};
+
+/// A voyage, freely or on a mission.
+#[derive(Clone, Debug)]
+pub enum Flown {
+    /// Freely.
+    Free(Box<Voyage>),
+    /// On a mission.
+    Mission(Box<Attempt>),
+}
+
+impl Flown {
+    /// The voyage.
+    #[must_use]
+    pub fn voyage(&self) -> &Voyage {
+        match self {
+            Self::Free(voyage) => voyage,
+            Self::Mission(attempt) => attempt.voyage(),
+        }
+    }
+
+    /// The ship.
+    #[must_use]
+    pub fn ship(&self) -> &Ship {
+        &self.voyage().flight.ship
+    }
+
+    pub(super) fn order(&mut self, orders: Orders) {
+        match self {
+            Self::Free(voyage) => voyage.flight.order(orders),
+            Self::Mission(attempt) => attempt.order(orders),
+        }
+    }
+
+    pub(super) fn turn(&mut self, rotation: DVec3) {
+        match self {
+            Self::Free(voyage) => voyage.flight.turn(rotation),
+            Self::Mission(attempt) => attempt.turn(rotation),
+        }
+    }
+
+    pub(super) fn advance(&mut self, time: f64) -> Result<(), ShipError> {
+        match self {
+            Self::Free(voyage) => move_on(voyage, time),
+            Self::Mission(attempt) => attempt.advance(time).map(drop),
+        }
+    }
+
+    /// The radii in the conditions of the next goal.
+    pub(super) fn radii(&self) -> Vec<f64> {
+        let Self::Mission(attempt) = self else {
+            return Vec::new();
+        };
+        let goal = attempt.mission.goals.get(attempt.reached().len());
+        let conditions = goal.map_or(&[][..], |goal| &goal.all);
+        let radii = conditions
+            .iter()
+            .filter(|condition| condition.quantity == Quantity::R)
+            .filter(|condition| condition.comparison != Comparison::Equal);
+        radii.map(|condition| condition.value).collect()
+    }
+}
+
+/// The extremes of a flight so far, as its frames saw them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Records {
+    /// The largest proper acceleration, in c^2/r_s.
+    pub acceleration: f64,
+    /// The largest tidal stretching, in c^2/r_s^2.
+    pub tide: f64,
+    /// The smallest radius, in r_s.
+    pub lowest: f64,
+}
+
+impl Records {
+    /// Those of a flight that begins.
+    #[must_use]
+    pub fn of(voyage: &Voyage) -> Self {
+        let ship = &voyage.flight.ship;
+        Self {
+            acceleration: voyage.flight.acceleration().length(),
+            tide: tide_of(ship),
+            lowest: ship.place().r,
+        }
+    }
+
+    /// With those of a moment more.
+    pub(super) fn note(&mut self, voyage: &Voyage) {
+        let now = Self::of(voyage);
+        self.acceleration = self.acceleration.max(now.acceleration);
+        self.tide = self.tide.max(now.tide);
+        self.lowest = self.lowest.min(now.lowest);
+    }
+}
+
+/// The largest tidal stretching, in c^2/r_s^2.
+#[must_use]
+pub(crate) fn tide_of(ship: &Ship) -> f64 {
+    let place = ship.place();
+    let photon = ship.constants().photon(&place);
+    tide(place.kerr, place.r, place.n, &photon)
+}

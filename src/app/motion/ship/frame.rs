@@ -1,0 +1,144 @@
+//! A frame of the ship's flight.
+
+use super::pace::{Stop, first_stop};
+use super::ship_flight::{Aboard, ShipFlight};
+use super::stick::Stick;
+use crate::app::motion::flight_step::FlightStep;
+use crate::app::motion::pose::pose_of;
+use crate::app::state::MAX_FRAME_SECONDS;
+use glam::DVec3;
+use lightfall_core::geometry::ship::ShipError;
+use lightfall_core::optics::ship::{HoldRefusal, Mount, Orders, Thrust, disk_clock, write_scene};
+use lightfall_core::scene::Scene;
+
+/// What a frame is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShipFrame {
+    /// Seconds for which the ship's time passes: none while it stands still.
+    pub seconds: f64,
+    /// Seconds for which the ship turns.
+    pub turn_seconds: f64,
+    /// The hand.
+    pub stick: Stick,
+    /// Whether turns to a heading are made at once.
+    pub reduced_motion: bool,
+}
+
+/// What happened in a frame that is worth a sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum News {
+    /// The hold is not possible any more.
+    Refused(HoldRefusal),
+    /// Faster time has ended.
+    Slowed(Stop),
+    /// The tank is empty.
+    Empty,
+}
+
+impl ShipFlight {
+    /// Lets a frame pass. A camera that is not where it was left was moved by something else, which
+    /// leaves the controls; turning the camera does not.
+    pub fn advance(&mut self, frame: &ShipFrame, scene: &Scene) -> (FlightStep, Option<News>) {
+        let Some(aboard) = &mut self.aboard else {
+            return (FlightStep::Idle, None);
+        };
+        if aboard.last != pose_of(scene) {
+            self.aboard = None;
+            return (FlightStep::Idle, None);
+        }
+        let (step, news) = aboard
+            .advance(frame, scene)
+            .unwrap_or_else(|reason| (FlightStep::Refused(reason), None));
+        if matches!(step, FlightStep::Refused(_)) {
+            self.aboard = None;
+        }
+        (step, news)
+    }
+}
+
+impl Aboard {
+    fn advance(
+        &mut self,
+        frame: &ShipFrame,
+        scene: &Scene,
+    ) -> Result<(FlightStep, Option<News>), String> {
+        let clock = disk_clock(self.flown.ship());
+        let (ends, news) = self.move_on(frame).map_err(|error| error.to_string())?;
+        let ship = self.flown.ship();
+        let mut next = scene.clone();
+        write_scene(ship, &Mount::NOSE, &mut next).map_err(|error| error.to_string())?;
+        if next.disk_moves() {
+            next.disk.time += disk_clock(ship) - clock;
+        }
+        self.last = pose_of(&next);
+        Ok((FlightStep::to(next, ends), news))
+    }
+
+    /// Moves the ship. Returns whether it has come to a limit of its flight, and what happened.
+    fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
+        self.steer(frame);
+        let wanted = self.rate() * frame.seconds.min(MAX_FRAME_SECONDS);
+        let stop = (self.pace > 1.0)
+            .then(|| first_stop(self.flown.voyage(), wanted, &self.flown.radii()))
+            .flatten();
+        let time = stop.map_or(wanted, |(time, _)| time);
+        let fuel = self.flown.voyage().flight.rocket.left();
+        let before = self.flown.ship().proper_time();
+        self.flown.advance(time)?;
+        self.records.note(self.flown.voyage());
+        let mut news = None;
+        if let Some((_, stop)) = stop {
+            self.pace = 1.0;
+            news = Some(News::Slowed(stop));
+        }
+        let flight = &self.flown.voyage().flight;
+        if fuel > 0.0 && flight.rocket.left() == 0.0 {
+            news = Some(News::Empty);
+        }
+        if let (Some(hold), Thrust::Off) = (self.hold, flight.orders().thrust) {
+            self.hold = None;
+            let refusal = hold.acceleration(&flight.ship, 0.0).err();
+            return Ok((false, refusal.map(News::Refused).or(news)));
+        }
+        // Only a limit of the flight stops the ship's clock.
+        let passed = self.flown.ship().proper_time() - before;
+        Ok((passed < 0.999_999 * time, news))
+    }
+
+    /// Turns the ship, and gives the orders of this frame.
+    fn steer(&mut self, frame: &ShipFrame) {
+        let stick = frame.stick;
+        self.stick = stick;
+        if stick.turn != DVec3::ZERO {
+            self.nose.release();
+        }
+        if stick.thrust != DVec3::ZERO {
+            self.hold = None;
+            self.pace = self.pace.min(1.0);
+        }
+        let seconds = frame.turn_seconds.min(MAX_FRAME_SECONDS);
+        let turn = stick.turn
+            + self
+                .nose
+                .turn(self.flown.ship(), seconds, frame.reduced_motion);
+        self.flown.turn(turn);
+        let orders = self.orders(stick);
+        self.flown.order(orders);
+        self.pace = self.pace.min(self.engine().fastest());
+    }
+
+    fn orders(&self, stick: Stick) -> Orders {
+        let most = self.flown.voyage().flight.rocket.max_acceleration();
+        let by_hand = stick.thrust * (self.thrust * stick.gear).min(1.0) * most;
+        let thrust = match self.hold {
+            _ if by_hand != DVec3::ZERO => Thrust::Axes(by_hand),
+            Some(hold) => Thrust::Hold(hold, most),
+            None => Thrust::Off,
+        };
+        Orders {
+            thrust,
+            face: self.nose.followed(),
+            ..Orders::COAST
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! The flight of the ship with its pilot: who has the controls, what holds and turns the ship, and how
+//! fast its time passes.
+
+use super::flown::{Flown, Records};
+use super::nose::Nose;
+use super::pace::{Engine, PACE_STEP, SLOWEST, own_time_rate};
+use super::stick::Stick;
+use crate::app::motion::pose::{Pose, pose_of};
+use bevy::prelude::Resource;
+use lightfall_core::geometry::ship::Ship;
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::ship::{
+    Attempt, BoardError, Flight, Heading, Hold, HoldRefusal, Mount, Rocket, StartError, Thrust,
+    Voyage, board,
+};
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::mission::Mission;
+
+/// The rocket of a ship without a mission: its rapidity, its largest acceleration in c^2/r_s, and the
+/// speed of its exhaust in c.
+const FREE_ROCKET: [f64; 3] = [3.0, 1.0, 1.0];
+
+/// The thrust that is set at first, as a share of the engine's: one gear below full thrust.
+const FIRST_THRUST: f64 = 0.25;
+/// One notch of the wheel changes the thrust by this factor, within a range.
+const THRUST_NOTCH: f64 = 1.15;
+const LEAST_THRUST: f64 = 0.002;
+
+/// What the engine can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HoldKind {
+    /// The circle at this radius.
+    Orbit,
+    /// The place. In an ergosphere it is the one without angular momentum.
+    Still,
+}
+
+/// The ship, if someone is aboard.
+#[derive(Resource, Clone, Debug, Default)]
+pub struct ShipFlight {
+    pub(super) aboard: Option<Aboard>,
+}
+
+/// A ship with a pilot.
+#[derive(Clone, Debug)]
+pub(super) struct Aboard {
+    pub(super) flown: Flown,
+    /// The flight at the last goal, or at the start.
+    pub(super) checkpoint: Flown,
+    pub(super) records: Records,
+    /// Where the camera was left, by which the ship notices that something else moves it.
+    pub(super) last: Pose,
+    /// The thrust that is set, as a share of the engine's.
+    pub(super) thrust: f64,
+    /// How fast own time passes, as a multiple of the usual pace.
+    pub(super) pace: f64,
+    pub(super) hold: Option<Hold>,
+    pub(super) nose: Nose,
+    /// The hand's input in the last frame.
+    pub(super) stick: Stick,
+    /// The time of a turn of the clocks' dials, in r_s/c.
+    pub(super) dial: f64,
+}
+
+impl ShipFlight {
+    /// Takes the controls of a ship that moves as the scene's observer, with a full tank. Without a
+    /// mission its hole has this mass.
+    ///
+    /// # Errors
+    /// There is no such ship.
+    pub fn board(&mut self, scene: &Scene, mass: HoleMass) -> Result<(), BoardError> {
+        let ship = board(scene, &Mount::NOSE)?;
+        let [rapidity, acceleration, exhaust] = FREE_ROCKET;
+        let rocket = Rocket::new(rapidity, acceleration, exhaust)
+            .expect("the constants are those of a rocket");
+        let voyage = Voyage::new(Flight::new(ship, rocket), mass);
+        self.begin(Flown::Free(Box::new(voyage)), scene, Heading::Hole);
+        Ok(())
+    }
+
+    /// Begins an attempt at a mission, in its own scene or one that looks otherwise.
+    ///
+    /// # Errors
+    /// The mission's start does not exist.
+    pub fn start(&mut self, mission: &Mission, scene: &Scene) -> Result<(), StartError> {
+        let attempt = Attempt::new(mission)?;
+        let face = mission.start.face.into();
+        self.begin(Flown::Mission(Box::new(attempt)), scene, face);
+        Ok(())
+    }
+
+    fn begin(&mut self, flown: Flown, scene: &Scene, face: Heading) {
+        let time_scale = scene.camera.r.powf(1.5);
+        self.aboard = Some(Aboard {
+            checkpoint: flown.clone(),
+            records: Records::of(flown.voyage()),
+            flown,
+            last: pose_of(scene),
+            thrust: FIRST_THRUST,
+            pace: 1.0,
+            hold: None,
+            nose: Nose::on(face),
+            stick: Stick::NEUTRAL,
+            dial: 10f64.powf(time_scale.log10().floor()),
+        });
+    }
+
+    /// Leaves the controls.
+    pub fn leave(&mut self) {
+        self.aboard = None;
+    }
+
+    /// Goes back to the last goal, or to the start.
+    pub fn go_back(&mut self) {
+        if let Some(aboard) = &mut self.aboard {
+            aboard.flown = aboard.checkpoint.clone();
+            aboard.engine_off();
+            aboard.pace = 1.0;
+        }
+    }
+
+    /// Whether someone has the controls.
+    #[must_use]
+    pub fn is_flown(&self) -> bool {
+        self.aboard.is_some()
+    }
+
+    /// The voyage, if someone has the controls.
+    #[must_use]
+    pub fn voyage(&self) -> Option<&Voyage> {
+        self.aboard.as_ref().map(|aboard| aboard.flown.voyage())
+    }
+
+    /// The attempt at a mission that is under way or over.
+    #[must_use]
+    pub fn attempt(&self) -> Option<&Attempt> {
+        match self.aboard.as_ref().map(|aboard| &aboard.flown) {
+            Some(Flown::Mission(attempt)) => Some(attempt),
+            _ => None,
+        }
+    }
+
+    /// The extremes of the flight so far.
+    #[must_use]
+    pub fn records(&self) -> Option<Records> {
+        self.aboard.as_ref().map(|aboard| aboard.records)
+    }
+
+    /// What holds the ship.
+    #[must_use]
+    pub fn hold(&self) -> Option<Hold> {
+        self.aboard.as_ref().and_then(|aboard| aboard.hold)
+    }
+
+    /// The heading that the nose turns to or follows.
+    #[must_use]
+    pub fn heading(&self) -> Option<Heading> {
+        self.aboard
+            .as_ref()
+            .and_then(|aboard| aboard.nose.heading())
+    }
+
+    /// The thrust that is set, as a share of the engine's.
+    #[must_use]
+    pub fn thrust(&self) -> f64 {
+        self.aboard.as_ref().map_or(0.0, |aboard| aboard.thrust)
+    }
+
+    /// How fast own time passes, as a multiple of the usual pace.
+    #[must_use]
+    pub fn pace(&self) -> f64 {
+        self.aboard.as_ref().map_or(0.0, |aboard| aboard.pace)
+    }
+
+    /// Own time, in r_s/c, that passes in a second.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        self.aboard.as_ref().map_or(0.0, Aboard::rate)
+    }
+
+    /// The time of a turn of the clocks' dials, in r_s/c.
+    #[must_use]
+    pub fn dial(&self) -> f64 {
+        self.aboard.as_ref().map_or(1.0, |aboard| aboard.dial)
+    }
+
+    /// Changes the thrust by so many notches of the wheel.
+    pub fn change_thrust(&mut self, notches: f64) {
+        if let Some(aboard) = &mut self.aboard {
+            let thrust = aboard.thrust * THRUST_NOTCH.powf(notches);
+            aboard.thrust = thrust.clamp(LEAST_THRUST, 1.0);
+        }
+    }
+
+    /// Doubles the pace this many times; a negative number halves it.
+    pub fn change_pace(&mut self, steps: i32) {
+        if let Some(aboard) = &mut self.aboard {
+            let fastest = aboard.engine().fastest();
+            let pace = aboard.pace.min(fastest) * PACE_STEP.powi(steps);
+            aboard.pace = pace.clamp(SLOWEST, fastest);
+        }
+    }
+
+    /// Turns the nose to the next heading. `None` if the gyroscopes hold it from now on.
+    pub fn face_next(&mut self) -> Option<Heading> {
+        self.aboard.as_mut()?.nose.step()
+    }
+
+    /// Switches the engine off, and ends what holds and turns the ship.
+    pub fn engine_off(&mut self) {
+        if let Some(aboard) = &mut self.aboard {
+            aboard.engine_off();
+        }
+    }
+
+    /// Holds the ship at its present radius, or ends this hold. Returns whether it is held.
+    ///
+    /// # Errors
+    /// There is no such hold here.
+    pub fn switch_hold(&mut self, kind: HoldKind) -> Result<bool, HoldRefusal> {
+        let Some(aboard) = &mut self.aboard else {
+            return Ok(false);
+        };
+        let kind_of = |hold| match hold {
+            Hold::Orbit(_) => HoldKind::Orbit,
+            Hold::Hover(_) | Hold::Zamo(_) => HoldKind::Still,
+        };
+        if aboard.hold.map(kind_of) == Some(kind) {
+            aboard.hold = None;
+            return Ok(false);
+        }
+        let ship = aboard.flown.ship();
+        let hold = hold_here(kind, ship);
+        hold.acceleration(ship, 0.0)?;
+        aboard.hold = Some(hold);
+        aboard.pace = aboard.pace.min(Engine::Hold.fastest());
+        Ok(true)
+    }
+}
+
+/// The hold of a kind at the ship's place.
+fn hold_here(kind: HoldKind, ship: &Ship) -> Hold {
+    let place = ship.place();
+    match kind {
+        HoldKind::Orbit => Hold::Orbit(place.r),
+        HoldKind::Still if place.r <= place.kerr.static_limit(place.n.z) => Hold::Zamo(place.r),
+        HoldKind::Still => Hold::Hover(place.r),
+    }
+}
+
+impl Aboard {
+    pub(super) fn engine_off(&mut self) {
+        self.hold = None;
+        self.nose.release();
+    }
+
+    /// What the engine does.
+    pub(super) fn engine(&self) -> Engine {
+        match self.flown.voyage().flight.orders().thrust {
+            Thrust::Off => Engine::Off,
+            Thrust::Axes(_) | Thrust::Along(..) => Engine::Hand,
+            Thrust::Hold(..) => Engine::Hold,
+        }
+    }
+
+    pub(super) fn rate(&self) -> f64 {
+        let flight = &self.flown.voyage().flight;
+        let r = flight.ship.place().r;
+        own_time_rate(r, self.pace, self.engine(), &flight.rocket)
+    }
+}

@@ -1,0 +1,108 @@
+//! What the window says of the ship.
+
+use super::frame::News;
+use super::pace::Stop;
+use super::ship_flight::{HoldKind, ShipFlight};
+use crate::app::controls::bindings::Bindings;
+use lightfall_core::geometry::ship::Ship;
+use lightfall_core::numbers::four_digits;
+use lightfall_core::optics::readout::units::Units;
+use lightfall_core::optics::ship::{Heading, Hold};
+
+/// A heading in words.
+pub(crate) fn heading_words(heading: Heading) -> &'static str {
+    match heading {
+        Heading::Prograde => "prograde",
+        Heading::Retrograde => "retrograde",
+        Heading::Hole => "the hole",
+        Heading::Outward => "outward",
+        Heading::Observer(_) => "a direction",
+    }
+}
+
+/// What the key that turns the nose says.
+pub(super) fn facing(heading: Option<Heading>, ship: &Ship) -> String {
+    match heading {
+        Some(heading) if heading.direction(ship).is_none() => format!(
+            "Nose: {}, but the ship stands still",
+            heading_words(heading)
+        ),
+        Some(Heading::Prograde) => "Nose: prograde, along your motion".into(),
+        Some(Heading::Retrograde) => "Nose: retrograde, against your motion".into(),
+        Some(Heading::Hole) => "Nose: to the hole".into(),
+        Some(heading) => format!("Nose: {}", heading_words(heading)),
+        None => "Nose: held by the gyroscopes".into(),
+    }
+}
+
+/// What a key of a hold says after it has begun, or ended.
+pub(super) fn holding(hold: Option<Hold>, kind: HoldKind, units: Units) -> String {
+    let at = |r: f64| units.length(r, four_digits);
+    match hold {
+        Some(Hold::Orbit(r)) => format!("Holds the orbit at {}", at(r)),
+        Some(Hold::Hover(r)) => format!("Holds still at {}", at(r)),
+        Some(Hold::Zamo(r)) => format!(
+            "Holds the radius {}: nothing stands still in the ergosphere",
+            at(r)
+        ),
+        None if kind == HoldKind::Orbit => "The orbit is not held any more".into(),
+        None => "The place is not held any more".into(),
+    }
+}
+
+/// What taking the controls says.
+pub(super) fn boarded(bindings: &Bindings) -> String {
+    let key = |id| bindings.first_label(id);
+    let [forward, orbit, still, off, leave] = [
+        "fly.forward",
+        "fly.orbit",
+        "scene.observer",
+        "motion.let_go",
+        "ship.fly",
+    ]
+    .map(key);
+    format!(
+        "You fly the ship: {forward} pushes, {orbit} holds the orbit, {still} holds still, {off} stops the engine; {leave} leaves it"
+    )
+}
+
+/// How fast the ship's time passes.
+pub(super) fn pace(ship: &ShipFlight, units: Units) -> String {
+    let rate = units.time(ship.rate(), four_digits);
+    let pace = ship.pace();
+    let times = match pace {
+        pace if pace >= 1.0 => format!("{pace:.0} times the usual pace"),
+        pace => format!("1/{:.0} of the usual pace", 1.0 / pace),
+    };
+    format!("Time: {times}, {rate} a second")
+}
+
+/// What has happened in a frame.
+pub(super) fn news(news: News) -> String {
+    match news {
+        News::Refused(refusal) => format!("The engine is off: {refusal}"),
+        News::Empty => "The tank is empty".into(),
+        News::Slowed(Stop::Low) => "The lowest point: time runs as usual".into(),
+        News::Slowed(Stop::High) => "The highest point: time runs as usual".into(),
+        News::Slowed(Stop::Goal) => "The goal's radius: time runs as usual".into(),
+        News::Slowed(Stop::Horizon) => "Near the horizon: time runs as usual".into(),
+    }
+}
+
+/// Where and when the flight has ended, for the end card.
+pub(super) fn ending(ship: &ShipFlight, units: Units) -> String {
+    let Some(voyage) = ship.voyage() else {
+        return String::new();
+    };
+    let ship = &voyage.flight.ship;
+    let r = units.length(ship.place().r, four_digits);
+    let clock = units.time(ship.proper_time(), four_digits);
+    if ship.place().r > ship.kerr().horizon() {
+        return format!(
+            "You are {r} from the hole, and your clock says {clock}. The ship flies no farther."
+        );
+    }
+    format!(
+        "You are {r} from the centre, inside the horizon. Your clock says {clock}. Deeper in, blueshift grows without limit, and no picture would be true."
+    )
+}

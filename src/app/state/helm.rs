@@ -1,0 +1,48 @@
+//! What the player's hands fly: the camera, or the ship.
+
+use crate::app::controls::control::AppCommand;
+use crate::app::controls::helm::{ShipCommand, ship_command};
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::{App, MessageWriter, Res, Resource};
+
+/// What the hands fly.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Helm {
+    /// The camera.
+    #[default]
+    Camera,
+    /// The ship.
+    Ship,
+    /// The ship, on a mission.
+    Mission,
+}
+
+impl Helm {
+    /// Whether the hands fly the ship.
+    #[must_use]
+    pub fn has_ship(self) -> bool {
+        self != Self::Camera
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Helm>().add_message::<ShipCommand>();
+}
+
+/// Sends commands to whom they are for: some are the ship's while the hands fly it.
+#[derive(SystemParam)]
+pub(crate) struct CommandSender<'w> {
+    pub(crate) helm: Res<'w, Helm>,
+    app: MessageWriter<'w, AppCommand>,
+    ship: MessageWriter<'w, ShipCommand>,
+}
+
+impl CommandSender<'_> {
+    pub(crate) fn send(&mut self, command: AppCommand) {
+        let for_ship = self.helm.has_ship();
+        match ship_command(command).filter(|_| for_ship) {
+            Some(command) => drop(self.ship.write(command)),
+            None => drop(self.app.write(command)),
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! The ship in its pilot's hands, frame by frame: what the keys order, how fast time passes, and how the
+//! flight ends when something else moves the camera.
+
+use glam::DVec3;
+use lightfall::app::{
+    Engine, FlightStep, HEADINGS, HoldKind, News, ShipFlight, ShipFrame, Stick, own_time_rate,
+};
+use lightfall_core::geometry::observer::min_infall_radius;
+use lightfall_core::optics::readout::si::MASSES;
+use lightfall_core::optics::ship::{Apsides, Hold, HoldRefusal, Rocket};
+use lightfall_core::scene::{ObserverKind, Scene, presets};
+
+const FRAME: f64 = 1.0 / 60.0;
+
+/// A smooth disk, whose clock does not run, seen from the equator at this radius.
+fn scene_at(r: f64, kind: ObserverKind) -> Scene {
+    let mut scene = presets::find("above").unwrap().scene(&[]).unwrap();
+    scene.disk.structure = Default::default();
+    (scene.camera.r, scene.camera.theta_deg) = (r, 90.0);
+    scene.observer.kind = kind;
+    scene
+}
+
+fn aboard(scene: &Scene) -> ShipFlight {
+    let mut ship = ShipFlight::default();
+    ship.board(scene, MASSES[0]).unwrap();
+    ship
+}
+
+/// A frame of this length with the hand so.
+fn frame(seconds: f64, stick: Stick) -> ShipFrame {
+    ShipFrame {
+        seconds,
+        turn_seconds: seconds,
+        stick,
+        reduced_motion: false,
+    }
+}
+
+fn push(thrust: DVec3) -> Stick {
+    Stick {
+        thrust,
+        ..Stick::NEUTRAL
+    }
+}
+
+/// Lets a frame pass that goes on, and returns what happened in it.
+#[track_caller]
+fn pass(ship: &mut ShipFlight, scene: &mut Scene, frame: &ShipFrame) -> Option<News> {
+    let (step, news) = ship.advance(frame, scene);
+    match step {
+        FlightStep::Moved(next) => *scene = next.into_scene(),
+        other => panic!("{other:?}"),
+    }
+    news
+}
+
+fn coast(ship: &mut ShipFlight, scene: &mut Scene, frames: u32) {
+    for _ in 0..frames {
+        pass(ship, scene, &frame(FRAME, Stick::NEUTRAL));
+    }
+}
+
+/// The angle between the nose and a heading's direction.
+fn off(ship: &ShipFlight) -> f64 {
+    let heading = ship.heading().unwrap();
+    let direction = heading.direction(&ship.voyage().unwrap().flight.ship);
+    direction.unwrap().angle_between(DVec3::X)
+}
+
+#[test]
+fn a_ship_pushes_along_its_nose_as_far_as_its_thrust_is_set() {
+    let mut scene = scene_at(20.0, ObserverKind::Static);
+    let mut ship = aboard(&scene);
+    // The camera of the preset faces the hole.
+    let mut thrust_of = |gear, notches| {
+        ship.change_thrust(notches);
+        let stick = Stick {
+            gear,
+            ..push(DVec3::X)
+        };
+        pass(&mut ship, &mut scene, &frame(FRAME, stick));
+        ship.voyage().unwrap().flight.acceleration()
+    };
+    assert_eq!(thrust_of(1.0, 0.0), DVec3::new(0.25, 0.0, 0.0));
+    assert_eq!(thrust_of(4.0, 0.0), DVec3::X);
+    assert_eq!(thrust_of(0.25, 0.0), DVec3::new(0.0625, 0.0, 0.0));
+    assert_eq!(thrust_of(1.0, 100.0), DVec3::X, "no more than the engine's");
+    coast(&mut ship, &mut scene, 1);
+    let flight = ship.voyage().unwrap().flight;
+    assert_eq!(flight.acceleration(), DVec3::ZERO);
+    assert!(flight.rocket.used() > 0.0 && flight.ship.constants().radial < 0.0);
+}
+
+#[test]
+fn while_the_hand_pushes_a_full_tank_lasts_ten_seconds_at_full_thrust_wherever_the_ship_is() {
+    for r in [1.1, 10.0, 500.0] {
+        let rocket = Rocket::new(0.1, 0.02, 0.1).unwrap();
+        let by_hand = own_time_rate(r, 1.0, Engine::Hand, &rocket);
+        // Near the hole the usual pace is slower.
+        let usual = own_time_rate(r, 1.0, Engine::Off, &rocket);
+        assert!(by_hand <= usual && by_hand * 10.0 <= 5.0 + 1e-12, "{r}");
+        assert!(by_hand == usual || by_hand == 0.5, "{r}");
+        assert_eq!(own_time_rate(r, 0.5, Engine::Hand, &rocket), 0.5 * by_hand);
+        let fastest = own_time_rate(r, 1e9, Engine::Hold, &rocket);
+        assert!((fastest / usual - 16.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn something_else_that_moves_the_camera_leaves_the_ship_and_turning_the_camera_does_not() {
+    let start = scene_at(10.0, ObserverKind::Orbit);
+    let mut ship = aboard(&start);
+    let mut scene = start.clone();
+    coast(&mut ship, &mut scene, 1);
+    scene.camera.yaw_deg += 20.0;
+    coast(&mut ship, &mut scene, 1);
+    assert!(ship.is_flown());
+    scene.camera.r += 1e-9;
+    let (step, _) = ship.advance(&frame(FRAME, Stick::NEUTRAL), &scene);
+    assert!(step == FlightStep::Idle && !ship.is_flown());
+}
+
+#[test]
+fn a_ship_that_stands_still_in_time_is_turned_by_hand_and_moves_nowhere() {
+    let start = scene_at(10.0, ObserverKind::Orbit);
+    let mut ship = aboard(&start);
+    let mut scene = start;
+    coast(&mut ship, &mut scene, 1);
+    let [before, own] = [
+        scene.camera.r,
+        ship.voyage().unwrap().flight.ship.proper_time(),
+    ];
+    let look = scene.camera.tetrad_from_camera().z_axis;
+    // To the right: about the downward axis.
+    let turn = Stick {
+        turn: DVec3::new(0.0, 0.0, -0.3),
+        ..push(DVec3::X)
+    };
+    pass(&mut ship, &mut scene, &frame(0.0, turn));
+    let turned = scene.camera.tetrad_from_camera().z_axis;
+    assert!((look.angle_between(turned) - 0.3).abs() < 1e-12);
+    let flight = ship.voyage().unwrap().flight;
+    assert_eq!([scene.camera.r, flight.ship.proper_time()], [before, own]);
+    assert!((flight.turned() - 0.3).abs() < 1e-12 && flight.rocket.used() == 0.0);
+}
+
+#[test]
+fn the_nose_turns_to_each_heading_follows_it_and_is_left_to_the_gyroscopes_again() {
+    let mut scene = scene_at(6.0, ObserverKind::Orbit);
+    let mut ship = aboard(&scene);
+    for heading in HEADINGS {
+        assert_eq!(ship.face_next(), Some(heading));
+        coast(&mut ship, &mut scene, 180);
+        assert!(off(&ship) < 2e-3, "{heading:?}: {}", off(&ship));
+        // Level: up is along decreasing theta.
+        let up = scene.camera.tetrad_from_camera().y_axis;
+        assert!(up.angle_between(DVec3::NEG_Y) < 0.02, "{heading:?}: {up}");
+    }
+    assert_eq!(ship.face_next(), None);
+    let turned = ship.voyage().unwrap().flight.turned();
+    coast(&mut ship, &mut scene, 10);
+    assert_eq!(ship.voyage().unwrap().flight.turned(), turned);
+    // A hand ends a turn.
+    ship.face_next();
+    let hand = Stick {
+        turn: DVec3::new(0.1, 0.0, 0.0),
+        ..Stick::NEUTRAL
+    };
+    pass(&mut ship, &mut scene, &frame(FRAME, hand));
+    assert_eq!(ship.heading(), None);
+    // With reduced motion it takes no time.
+    assert!(ship.face_next().is_some());
+    let at_once = ShipFrame {
+        reduced_motion: true,
+        ..frame(FRAME, Stick::NEUTRAL)
+    };
+    pass(&mut ship, &mut scene, &at_once);
+    // In a frame the motion turns by a hundredth at most.
+    assert!(off(&ship) < 0.01);
+}
+
+#[test]
+fn holds_keep_an_orbit_or_the_place_until_the_hand_pushes() {
+    let mut scene = scene_at(6.0, ObserverKind::Static);
+    let mut ship = aboard(&scene);
+    assert_eq!(ship.switch_hold(HoldKind::Still), Ok(true));
+    coast(&mut ship, &mut scene, 120);
+    assert!((scene.camera.r - 6.0).abs() < 1e-6, "{}", scene.camera.r);
+    assert_eq!(ship.switch_hold(HoldKind::Orbit), Ok(true));
+    ship.change_pace(4);
+    coast(&mut ship, &mut scene, 120);
+    let apsides = Apsides::of(&ship.voyage().unwrap().flight.ship);
+    let [low, high] = [apsides.periapsis, apsides.apoapsis].map(Option::unwrap);
+    // A hold comes nearer by one part in e in 0.16 radians of the motion, of which there were many.
+    assert!(low > 5.99 && high < 6.01, "{low} to {high}");
+    pass(&mut ship, &mut scene, &frame(FRAME, push(DVec3::Y)));
+    assert_eq!((ship.hold(), ship.pace()), (None, 1.0));
+}
+
+#[test]
+fn a_hold_that_is_not_possible_is_refused_and_one_that_becomes_so_ends() {
+    let mut scene = scene_at(1.3, ObserverKind::Rain);
+    let mut ship = aboard(&scene);
+    let refused = ship.switch_hold(HoldKind::Orbit);
+    assert_eq!(refused, Err(HoldRefusal::NoOrbit { r: 1.3 }));
+    assert_eq!(ship.switch_hold(HoldKind::Still), Ok(true));
+    assert_eq!(ship.hold(), Some(Hold::Hover(1.3)));
+    // It falls too fast for its engine.
+    let news = (0..600).find_map(|_| pass(&mut ship, &mut scene, &frame(FRAME, Stick::NEUTRAL)));
+    assert!(
+        matches!(
+            news,
+            Some(News::Refused(
+                HoldRefusal::Ergosphere { .. } | HoldRefusal::Inside { .. }
+            ))
+        ),
+        "{news:?}"
+    );
+    assert_eq!(ship.hold(), None);
+}
+
+#[test]
+fn faster_time_ends_by_itself_at_the_lowest_point_and_slower_frames_lead_to_the_same_place() {
+    let ends = [FRAME, 0.1].map(|seconds| {
+        let mut scene = scene_at(10.0, ObserverKind::Orbit);
+        let mut ship = aboard(&scene);
+        // Brake: growing phi is to the left of a camera that faces the hole.
+        let brake = scene.camera.tetrad_from_camera().transpose() * DVec3::NEG_Z;
+        for _ in 0..(6.0 / seconds).round() as u32 {
+            pass(
+                &mut ship,
+                &mut scene,
+                &frame(seconds, push(DVec3::new(brake.z, -brake.x, brake.y) * 0.1)),
+            );
+        }
+        let low = Apsides::of(&ship.voyage().unwrap().flight.ship)
+            .periapsis
+            .unwrap();
+        pass(&mut ship, &mut scene, &frame(0.0, Stick::NEUTRAL));
+        ship.change_pace(4);
+        assert_eq!(ship.pace(), 16.0);
+        let mut frames = 0;
+        let stop = loop {
+            frames += 1;
+            assert!(frames < 10_000, "no stop");
+            let news = pass(&mut ship, &mut scene, &frame(seconds, Stick::NEUTRAL));
+            if let Some(news) = news {
+                break news;
+            }
+        };
+        assert!(matches!(stop, News::Slowed(_)), "{stop:?}");
+        assert_eq!(ship.pace(), 1.0);
+        assert!(
+            (scene.camera.r - low).abs() < 1e-6,
+            "{} and {low}",
+            scene.camera.r
+        );
+        low
+    });
+    assert!(
+        ends[0] < 9.0 && (ends[0] - ends[1]).abs() < 1e-9,
+        "{ends:?}"
+    );
+}
+
+#[test]
+fn a_ship_falls_through_the_horizon_to_the_end_of_its_flight() {
+    for spin in [0.0, 0.9] {
+        let mut scene = scene_at(3.0, ObserverKind::Rain);
+        scene.hole.spin = spin;
+        let mut ship = aboard(&scene);
+        let end = (0..6000).find_map(|_| {
+            let (step, _) = ship.advance(&frame(FRAME, Stick::NEUTRAL), &scene);
+            match step {
+                FlightStep::Moved(next) => {
+                    scene = next.into_scene();
+                    None
+                }
+                FlightStep::Ended(end) => Some(end.into_scene()),
+                other => panic!("{other:?}"),
+            }
+        });
+        let end = end.expect("the fall ends").camera.r;
+        let limit = min_infall_radius(scene.kerr());
+        assert!((end / limit - 1.0).abs() < 1e-9, "{spin}: {end}, {limit}");
+    }
+}
