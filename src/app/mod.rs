@@ -57,7 +57,7 @@ pub use state::toast::reading_time;
 pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
-pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
+pub use ui::hud::{Instrument, ReadOut, differences, instruments, physics_off, read_outs};
 pub use ui::layout::{Layout, Slide, Taken, Wish};
 
 use bevy::app::PluginGroupBuilder;

@@ -3,10 +3,12 @@
 
 use glam::DVec3;
 use lightfall::app::{
-    Engine, FlightStep, HEADINGS, HoldKind, News, ShipFlight, ShipFrame, Stick, own_time_rate,
+    Engine, FlightStep, HEADINGS, HoldKind, News, ShipFlight, ShipFrame, Stick, instruments,
+    own_time_rate,
 };
 use lightfall_core::geometry::observer::min_infall_radius;
 use lightfall_core::optics::readout::si::MASSES;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Hold, HoldRefusal, Rocket};
 use lightfall_core::scene::{ObserverKind, Scene, presets};
 
@@ -285,4 +287,52 @@ fn a_ship_falls_through_the_horizon_to_the_end_of_its_flight() {
         let limit = min_infall_radius(scene.kerr());
         assert!((end / limit - 1.0).abs() < 1e-9, "{spin}: {end}, {limit}");
     }
+}
+
+/// The value of an instrument.
+fn value(ship: &ShipFlight, label: &str) -> Option<String> {
+    let all = instruments(ship, MASSES[1], Units::Hole);
+    let found = all.into_iter().find(|instrument| instrument.label == label);
+    found.map(|instrument| instrument.value)
+}
+
+/// The values are those of docs/FLIGHT.md and of closed forms: at rest at 2 r_s the thrust is sqrt(2)/8,
+/// one c^2/r_s at M87* is 477 g, and the longest life from the horizon is pi/2.
+#[test]
+fn the_instruments_show_what_closed_forms_give() {
+    let mut scene = scene_at(2.0, ObserverKind::Static);
+    let mut ship = aboard(&scene);
+    ship.switch_hold(HoldKind::Still).unwrap();
+    coast(&mut ship, &mut scene, 60);
+    let shown = |label| value(&ship, label).unwrap();
+    assert_eq!(shown("radius, speed"), "2.000 r_s · 0.000 c");
+    assert_eq!(shown("thrust"), "0.177 c²/r_s · 84.4 g");
+    assert_eq!(shown("to stand still"), "0.177 c²/r_s · 84.4 g");
+    assert_eq!(shown("held"), "still at 2.000 r_s");
+    assert_eq!(shown("lowest point"), "in the hole");
+    let error: f64 = shown("error of the flight").parse().unwrap();
+    assert!(error < 1e-13, "{error}");
+    let mut scene = scene_at(10.0, ObserverKind::Orbit);
+    scene.observer.velocity = [0.0, 0.0, -0.05];
+    let mut ship = aboard(&scene);
+    coast(&mut ship, &mut scene, 1);
+    let low = Apsides::of(&ship.voyage().unwrap().flight.ship)
+        .periapsis
+        .unwrap();
+    let shown = value(&ship, "lowest point").unwrap();
+    assert!(shown.starts_with(&format!("{low:.3} r_s, in ")), "{shown}");
+    assert_eq!(value(&ship, "thrust").unwrap(), "off");
+    let mut scene = scene_at(1.0, ObserverKind::Rain);
+    let mut ship = aboard(&scene);
+    pass(&mut ship, &mut scene, &frame(0.0, Stick::NEUTRAL));
+    assert_eq!(value(&ship, "life left").unwrap(), "at most 1.571 r_s/c");
+    assert_eq!(
+        value(&ship, "to stand still").unwrap(),
+        "nothing holds a ship here"
+    );
+    assert!(
+        value(&ship, "signal home")
+            .unwrap()
+            .starts_with("reaches nobody")
+    );
 }

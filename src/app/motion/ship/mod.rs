@@ -13,12 +13,14 @@ mod stick;
 mod words;
 
 pub(super) use commands::advance_ship;
+pub(crate) use flown::tide_of;
 pub use flown::{Flown, Records};
 pub use frame::{News, ShipFrame};
 pub use nose::{HEADINGS, Nose};
 pub use pace::{Engine, own_time_rate};
 pub use ship_flight::{HoldKind, ShipFlight};
 pub use stick::Stick;
+pub(crate) use words::heading_words;
 
 use bevy::prelude::*;
 

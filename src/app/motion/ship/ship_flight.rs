@@ -140,6 +140,13 @@ impl ShipFlight {
         }
     }
 
+    /// The mass of a mission's hole.
+    #[must_use]
+    pub fn mass(&self) -> Option<HoleMass> {
+        let attempt = self.attempt()?;
+        Some(HoleMass::of_suns(attempt.mission.hole.mass_suns))
+    }
+
     /// The extremes of the flight so far.
     #[must_use]
     pub fn records(&self) -> Option<Records> {

@@ -92,6 +92,16 @@ impl Board {
         self.size + 2.0 * PADDING
     }
 
+    /// What the board is painted with, for drawings over its box.
+    pub(super) fn painter(&self) -> Painter {
+        self.painter.clone()
+    }
+
+    /// The part of a board's box in which its texts lie.
+    pub(super) fn inside(place: Rect) -> Rect {
+        place.shrink2(PADDING)
+    }
+
     /// Paints the board where the layout has room for it, as near as possible to its wish. Returns its
     /// box, or `None` where there is no room.
     pub(super) fn paint(self, layout: &mut Layout, wish: Wish) -> Option<Rect> {

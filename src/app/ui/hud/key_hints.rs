@@ -9,6 +9,7 @@ use crate::app::input::held::HeldControls;
 use crate::app::input::typing::Typing;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::state::helm::Helm;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::Slide;
 use crate::app::ui::screen::Screen;
@@ -119,6 +120,23 @@ const FALL_KEYS: &[Hint] = &[
     ALL_KEYS,
 ];
 
+/// The keys that matter at the ship's controls.
+const SHIP_KEYS: &[Hint] = &[
+    (
+        &["fly.forward", "fly.left", "fly.backward", "fly.right"],
+        "",
+        "push",
+        7,
+    ),
+    (&["fly.face"], "", "nose", 5),
+    (&["fly.orbit"], "", "orbit", 3),
+    (&["scene.observer"], "", "still", 2),
+    (&["motion.let_go"], "", "engine off", 4),
+    (&["motion.slower", "motion.faster"], " · ", "time", 6),
+    (&["ship.fly"], "", "leave", 1),
+    ALL_KEYS,
+];
+
 /// The key of the help.
 const ALL_KEYS: Hint = (&["window.help"], "", "all keys", 7);
 
@@ -130,11 +148,12 @@ pub(super) fn show_key_hints(
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
     presence: Res<Presence>,
-    (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
+    (player, free_fall, helm): (Res<JourneyPlayer>, Res<FreeFall>, Res<Helm>),
 ) {
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
-    let strength = if named { 1.0 } else { presence.of_mouse() };
+    let stays = named || helm.has_ship() && !preferences.settings.keep_key_hints;
+    let strength = if stays { 1.0 } else { presence.of_mouse() };
     let Some((context, layout)) = screen.texts().filter(|_| strength > 0.0) else {
         return;
     };
@@ -143,6 +162,8 @@ pub(super) fn show_key_hints(
         JOURNEY_KEYS.to_vec()
     } else if free_fall.is_moving() {
         FALL_KEYS.to_vec()
+    } else if helm.has_ship() {
+        SHIP_KEYS.to_vec()
     } else if named {
         NEWCOMERS_KEYS.to_vec()
     } else {

@@ -3,7 +3,8 @@
 //! Each part has a wish where the [layout](super::layout) places it: the title of a scene in the upper
 //! left corner, the physics that is switched off at the top, the read-outs in the lower left corner, the
 //! keys in the lower right corner, the toast at the bottom, a journey's captions above it, and a
-//! comparison's labels beside its divider. The read-outs and the keys disappear while nothing happens.
+//! comparison's labels beside its divider. At the ship's controls its instruments take the place of the
+//! read-outs. The read-outs and the keys disappear while nothing happens.
 
 mod board;
 mod comparison;
@@ -12,12 +13,14 @@ mod key_hints;
 mod physics_off;
 mod presence;
 mod read_outs;
+mod ship;
 mod title;
 mod toast;
 
 pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
+pub use ship::{Instrument, instruments};
 
 use crate::app::ui::layout::Importance;
 use bevy::prelude::*;
@@ -33,6 +36,8 @@ pub(crate) fn plugin(app: &mut App) {
                 physics_off::show_physics_off.in_set(Importance::Warning),
                 comparison::show_comparison.in_set(Importance::Sides),
                 read_outs::show_read_outs.in_set(Importance::ReadOuts),
+                ship::show_instruments.in_set(Importance::ReadOuts),
+                ship::show_markers.in_set(Importance::Guides),
                 title::show_title.in_set(Importance::Title),
                 key_hints::show_key_hints.in_set(Importance::KeyHints),
             ),

@@ -11,6 +11,7 @@ use crate::app::motion::hand::GEAR;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::Pilot;
+use crate::app::state::helm::Helm;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::window_shot::WindowShot;
@@ -115,11 +116,14 @@ pub(super) fn show_read_outs(
     scene: Res<DrawnScene>,
     pilot: Res<Pilot>,
     held: HeldControls,
-    free_fall: Res<FreeFall>,
+    (free_fall, helm): (Res<FreeFall>, Res<Helm>),
     (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
     (bindings, shot): (Res<Bindings>, Res<WindowShot>),
     (presence, preferences): (Res<Presence>, Res<Preferences>),
 ) {
+    if helm.has_ship() {
+        return;
+    }
     let mut strength = presence.of_read_outs();
     // A mode that changes what the keys do is always named.
     if orbit.is_on() {

@@ -1,0 +1,197 @@
+//! The values of the ship's instruments, in words.
+
+use crate::app::motion::ship::{ShipFlight, heading_words, tide_of};
+use lightfall_core::geometry::ship::Ship;
+use lightfall_core::numbers::{four_digits, ratio, three_digits};
+use lightfall_core::optics::readout::held_acceleration;
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
+use lightfall_core::optics::ship::{
+    Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, time_to_apsis,
+};
+use lightfall_core::scene::ObserverKind;
+
+/// An instrument: what it shows, and the value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instrument {
+    /// The quantity.
+    pub label: &'static str,
+    /// Its value with its unit.
+    pub value: String,
+    /// Whether a narrow window leaves it out.
+    pub is_minor: bool,
+}
+
+impl Instrument {
+    fn new(label: &'static str, value: String) -> Self {
+        Self {
+            label,
+            value,
+            is_minor: false,
+        }
+    }
+
+    fn minor(label: &'static str, value: String) -> Self {
+        Self {
+            is_minor: true,
+            ..Self::new(label, value)
+        }
+    }
+}
+
+/// The instruments of a ship with a pilot, but for its clocks; `mass` is the hole's. Empty without a
+/// pilot.
+#[must_use]
+pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Instrument> {
+    let Some(voyage) = flown.voyage() else {
+        return Vec::new();
+    };
+    let flight = &voyage.flight;
+    let ship = &flight.ship;
+    let mut all = vec![
+        motion(ship, units),
+        fuel(flight),
+        thrust(flight, mass, units),
+    ];
+    all.extend(path(ship, units));
+    all.push(Instrument::new("nose", nose(flown)));
+    all.extend(
+        flown
+            .hold()
+            .map(|hold| Instrument::new("held", held(hold, units))),
+    );
+    all.push(Instrument::new("time", time(flown, units)));
+    all.push(to_hover(ship, mass, units));
+    let tide = three_digits(tide_of(ship) * mass.gees() / mass.metres());
+    all.push(Instrument::minor("tide", format!("{tide} g per metre")));
+    all.extend(signal(ship, units));
+    if !units.are_simple() {
+        let error = format!("{:.0e}", ship.error().stated());
+        all.push(Instrument::minor("error of the flight", error));
+    }
+    all
+}
+
+/// The radius, and the speed relative to the observer with zero angular momentum.
+fn motion(ship: &Ship, units: Units) -> Instrument {
+    let r = length(ship.place().r, units);
+    let value = match speed_for_zamo(ship) {
+        Some(speed) => format!("{r} · {speed:.3} c"),
+        None => format!("{r} · inside the horizon"),
+    };
+    Instrument::new("radius, speed", value)
+}
+
+fn fuel(flight: &Flight) -> Instrument {
+    let rocket = &flight.rocket;
+    let tank = rocket.left() + rocket.used();
+    let left = format!("{:.4} of {}", rocket.left(), four_digits(tank));
+    let mass = format!("{:.0} % of the mass", 100.0 * rocket.mass());
+    Instrument::new("rapidity left", format!("{left} · {mass}"))
+}
+
+/// An acceleration in c^2/r_s, and in g.
+fn acceleration(size: f64, mass: HoleMass, units: Units) -> String {
+    let gees = format!("{} g", three_digits(size * mass.gees()));
+    match units.are_simple() {
+        true => gees,
+        false => format!("{} c²/r_s · {gees}", three_digits(size)),
+    }
+}
+
+fn thrust(flight: &Flight, mass: HoleMass, units: Units) -> Instrument {
+    let thrust = flight.acceleration().length();
+    let value = match thrust {
+        0.0 => "off".into(),
+        _ => acceleration(thrust, mass, units),
+    };
+    Instrument::new("thrust", value)
+}
+
+fn to_hover(ship: &Ship, mass: HoleMass, units: Units) -> Instrument {
+    let place = ship.place();
+    let limit = place.kerr.static_limit(place.n.z);
+    let value = match place.r {
+        r if r <= place.kerr.horizon() => "nothing holds a ship here".into(),
+        r if r <= limit => "nothing stands still here".into(),
+        r => {
+            let needed = held_acceleration(place.kerr, ObserverKind::Static, r, place.theta());
+            acceleration(needed, mass, units)
+        }
+    };
+    Instrument::minor("to stand still", value)
+}
+
+/// The turning points ahead, or what is left of life inside the horizon.
+fn path(ship: &Ship, units: Units) -> Vec<Instrument> {
+    let place = ship.place();
+    let steady = |time: f64| units.steady_time(time);
+    if place.r <= place.kerr.horizon() {
+        let left = longest_life(place.kerr, place.r, place.n.z);
+        let left = format!("at most {}", steady(left));
+        return vec![Instrument::new("life left", left)];
+    }
+    let apsides = Apsides::of(ship);
+    let next = time_to_apsis(ship);
+    let falls = ship.constants().radial < 0.0;
+    let point = |radius: Option<f64>, none: &str, is_next: bool| match (radius, next) {
+        (None, _) => none.to_owned(),
+        (Some(radius), Some(next)) if is_next => {
+            format!("{}, in {}", length(radius, units), steady(next))
+        }
+        (Some(radius), _) => length(radius, units),
+    };
+    vec![
+        Instrument::new(
+            "lowest point",
+            point(apsides.periapsis, "in the hole", falls),
+        ),
+        Instrument::new(
+            "highest point",
+            point(apsides.apoapsis, "none: you come away", !falls),
+        ),
+    ]
+}
+
+/// A radius with three decimals, as missions compare them.
+fn length(radius: f64, units: Units) -> String {
+    units.length(radius, |radius| match radius {
+        radius if radius < 100.0 => format!("{radius:.3}"),
+        radius => four_digits(radius),
+    })
+}
+
+fn nose(flown: &ShipFlight) -> String {
+    match flown.heading() {
+        Some(heading) => heading_words(heading).into(),
+        None => "held by the gyroscopes".into(),
+    }
+}
+
+fn held(hold: Hold, units: Units) -> String {
+    match hold {
+        Hold::Orbit(r) => format!("orbit at {}", length(r, units)),
+        Hold::Hover(r) => format!("still at {}", length(r, units)),
+        Hold::Zamo(r) => format!("radius {}", length(r, units)),
+    }
+}
+
+fn time(flown: &ShipFlight, units: Units) -> String {
+    let pace = match flown.pace() {
+        pace if pace < 1.0 => format!("1/{:.0}", 1.0 / pace),
+        pace => format!("{pace:.0}"),
+    };
+    let rate = units.time(flown.rate(), three_digits);
+    format!("{pace} ×, {rate} a second")
+}
+
+/// How long a signal takes to reach home, and by how much home's light is shifted.
+fn signal(ship: &Ship, units: Units) -> Option<Instrument> {
+    let clocks = Clocks::new(ship);
+    let light = format!("home's light × {}", ratio(clocks.home_light));
+    let value = match clocks.signal_delay {
+        Some(delay) => format!("{} · {light}", units.steady_time(delay)),
+        None => format!("reaches nobody · {light}"),
+    };
+    Some(Instrument::minor("signal home", value))
+}
