@@ -35,8 +35,8 @@ pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::ship::{
-    Engine, Flown, HEADINGS, HoldKind, News, Nose, Records, ShipFlight, ShipFrame, Stick,
-    own_time_rate,
+    Engine, Flown, HEADINGS, HoldKind, News, Nose, Records, ShipFlight, ShipFrame, Stick, lamps,
+    own_time_rate, path_ahead, solution_time,
 };
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
 pub use motion::zoom::zoomed;
@@ -47,7 +47,8 @@ pub use session::frame_pacing::FramePacing;
 pub use session::link::command_line;
 pub use state::disk_clock::DiskClock;
 pub use state::history::History;
-pub use state::menu::{Menu, MenuEntry};
+pub use state::menu::{Menu, MenuEntry, MenuList};
+pub use state::mission_results::{MissionResult, MissionResults};
 pub use state::preferences::Preferences;
 pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};
@@ -207,6 +208,7 @@ pub fn program(start: Start) -> App {
         })
         .add_plugins((
             (state::toast::plugin, state::helm::plugin),
+            state::missions::plugin,
             state::end_card::plugin,
             state::menu::plugin,
             state::notice::plugin,

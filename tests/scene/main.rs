@@ -40,6 +40,7 @@ mod lessons;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;
 mod menu;
+mod missions;
 mod never_lost;
 mod panel;
 #[cfg(target_os = "linux")]

@@ -1,6 +1,6 @@
 //! The menu's entries and how the selection moves through them.
 
-use lightfall::app::{Menu, MenuEntry};
+use lightfall::app::{Menu, MenuEntry, MenuList};
 use lightfall_core::scene::presets::PRESETS;
 
 #[test]
@@ -33,4 +33,17 @@ fn the_list_of_places_has_every_preset_and_leads_back_to_its_own_entry() {
     assert_eq!(menu.selected(), MenuEntry::Places);
     menu.go_back();
     assert!(!menu.is_open());
+}
+
+#[test]
+fn the_list_of_missions_leads_back_to_its_own_entry() {
+    let mut menu = Menu::default();
+    menu.open();
+    menu.show_missions(3);
+    assert_eq!(menu.list(), MenuList::Missions(3));
+    let missions = [0, 1, 2].map(MenuEntry::Mission);
+    assert_eq!(menu.entries(), [&missions[..], &[MenuEntry::Back]].concat());
+    assert_eq!(menu.selected(), MenuEntry::Mission(0));
+    menu.go_back();
+    assert_eq!(menu.selected(), MenuEntry::Missions);
 }

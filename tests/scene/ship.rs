@@ -84,10 +84,12 @@ fn a_ship_pushes_along_its_nose_as_far_as_its_thrust_is_set() {
         pass(&mut ship, &mut scene, &frame(FRAME, stick));
         ship.voyage().unwrap().flight.acceleration()
     };
-    assert_eq!(thrust_of(1.0, 0.0), DVec3::new(0.25, 0.0, 0.0));
-    assert_eq!(thrust_of(4.0, 0.0), DVec3::X);
-    assert_eq!(thrust_of(0.25, 0.0), DVec3::new(0.0625, 0.0, 0.0));
-    assert_eq!(thrust_of(1.0, 100.0), DVec3::X, "no more than the engine's");
+    assert_eq!(thrust_of(1.0, 0.0), DVec3::X);
+    assert_eq!(thrust_of(0.25, 0.0), DVec3::new(0.25, 0.0, 0.0));
+    assert_eq!(thrust_of(4.0, 1.0), DVec3::X, "no more than the engine's");
+    let lower = thrust_of(1.0, -10.0).x;
+    assert!((lower / 1.15_f64.powi(-10) - 1.0).abs() < 1e-12);
+    assert!((thrust_of(4.0, 0.0).x / lower - 4.0).abs() < 1e-12);
     coast(&mut ship, &mut scene, 1);
     let flight = ship.voyage().unwrap().flight;
     assert_eq!(flight.acceleration(), DVec3::ZERO);
@@ -95,14 +97,14 @@ fn a_ship_pushes_along_its_nose_as_far_as_its_thrust_is_set() {
 }
 
 #[test]
-fn while_the_hand_pushes_a_full_tank_lasts_ten_seconds_at_full_thrust_wherever_the_ship_is() {
+fn while_the_hand_pushes_a_full_tank_lasts_thirty_seconds_at_full_thrust_wherever_the_ship_is() {
     for r in [1.1, 10.0, 500.0] {
         let rocket = Rocket::new(0.1, 0.02, 0.1).unwrap();
         let by_hand = own_time_rate(r, 1.0, Engine::Hand, &rocket);
         // Near the hole the usual pace is slower.
         let usual = own_time_rate(r, 1.0, Engine::Off, &rocket);
-        assert!(by_hand <= usual && by_hand * 10.0 <= 5.0 + 1e-12, "{r}");
-        assert!(by_hand == usual || by_hand == 0.5, "{r}");
+        assert!(by_hand <= usual && by_hand * 30.0 <= 5.0 + 1e-12, "{r}");
+        assert!(by_hand == usual || by_hand == 5.0 / 30.0, "{r}");
         assert_eq!(own_time_rate(r, 0.5, Engine::Hand, &rocket), 0.5 * by_hand);
         let fastest = own_time_rate(r, 1e9, Engine::Hold, &rocket);
         assert!((fastest / usual - 16.0).abs() < 1e-12);
@@ -229,7 +231,7 @@ fn faster_time_ends_by_itself_at_the_lowest_point_and_slower_frames_lead_to_the_
         let mut ship = aboard(&scene);
         // Brake: growing phi is to the left of a camera that faces the hole.
         let brake = scene.camera.tetrad_from_camera().transpose() * DVec3::NEG_Z;
-        for _ in 0..(6.0 / seconds).round() as u32 {
+        for _ in 0..(4.0 / seconds).round() as u32 {
             pass(
                 &mut ship,
                 &mut scene,
@@ -310,8 +312,8 @@ fn the_instruments_show_what_closed_forms_give() {
     assert_eq!(shown("to stand still"), "0.177 c²/r_s · 84.4 g");
     assert_eq!(shown("held"), "still at 2.000 r_s");
     assert_eq!(shown("lowest point"), "in the hole");
-    let error: f64 = shown("error of the flight").parse().unwrap();
-    assert!(error < 1e-13, "{error}");
+    // At rest under constant thrust nothing changes, to the last digit.
+    assert_eq!(shown("error of the flight"), "none yet");
     let mut scene = scene_at(10.0, ObserverKind::Orbit);
     scene.observer.velocity = [0.0, 0.0, -0.05];
     let mut ship = aboard(&scene);
@@ -322,6 +324,11 @@ fn the_instruments_show_what_closed_forms_give() {
     let shown = value(&ship, "lowest point").unwrap();
     assert!(shown.starts_with(&format!("{low:.3} r_s, in ")), "{shown}");
     assert_eq!(value(&ship, "thrust").unwrap(), "off");
+    let error: f64 = value(&ship, "error of the flight")
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(error > 0.0 && error < 1e-13, "{error}");
     let mut scene = scene_at(1.0, ObserverKind::Rain);
     let mut ship = aboard(&scene);
     pass(&mut ship, &mut scene, &frame(0.0, Stick::NEUTRAL));

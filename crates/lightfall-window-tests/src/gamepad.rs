@@ -51,8 +51,12 @@ fn pushed(pad: Entity, part: Pad, value: f32) -> RawGamepadEvent {
         Pad::LeftStickY => axis(GamepadAxis::LeftStickY),
         Pad::RightStickX => axis(GamepadAxis::RightStickX),
         Pad::South => button(GamepadButton::South),
+        Pad::East => button(GamepadButton::East),
+        Pad::North => button(GamepadButton::North),
+        Pad::DPadLeft => button(GamepadButton::DPadLeft),
         Pad::DPadRight => button(GamepadButton::DPadRight),
         Pad::Start => button(GamepadButton::Start),
         Pad::RightTrigger => button(GamepadButton::RightTrigger),
+        Pad::RightTrigger2 => button(GamepadButton::RightTrigger2),
     }
 }

@@ -42,7 +42,11 @@ pub enum Pad {
     LeftStickY,
     RightStickX,
     South,
+    East,
+    North,
+    DPadLeft,
     DPadRight,
     Start,
     RightTrigger,
+    RightTrigger2,
 }

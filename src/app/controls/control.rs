@@ -172,6 +172,10 @@ pub enum AppCommand {
     TakeControls,
     /// Let the ship hold still. Only at its controls.
     Hover,
+    /// Show or hide the map of the ship's path.
+    Map,
+    /// Open the menu at its list of missions.
+    Missions,
     /// Pin the present settings to the left half of the picture, or end the comparison.
     Compare,
     /// Show the difference from the pinned settings, or amplify it more.

@@ -18,10 +18,14 @@ pub enum ShipCommand {
     Faster,
     /// Let time run slower.
     Slower,
+    /// Go back to the last goal of the mission, or to its start.
+    Checkpoint,
+    /// Begin the mission again.
+    Again,
 }
 
 /// What a command asks of the ship at its controls. `None` if it is not for the ship.
-pub(crate) fn ship_command(command: AppCommand) -> Option<ShipCommand> {
+pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<ShipCommand> {
     Some(match command {
         AppCommand::LetGo => ShipCommand::EngineOff,
         AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
@@ -29,6 +33,8 @@ pub(crate) fn ship_command(command: AppCommand) -> Option<ShipCommand> {
         AppCommand::Face => ShipCommand::Face,
         AppCommand::FasterTime => ShipCommand::Faster,
         AppCommand::SlowerTime => ShipCommand::Slower,
+        AppCommand::Undo if on_mission => ShipCommand::Checkpoint,
+        AppCommand::RestartJourney if on_mission => ShipCommand::Again,
         _ => return None,
     })
 }
@@ -49,6 +55,7 @@ pub(crate) fn button_at_helm(control: &Control) -> Action {
         "preset.previous" => AppCommand::SlowerTime,
         "preset.next" => AppCommand::FasterTime,
         "fly.orbit" => AppCommand::Hover,
+        "fly.face" => AppCommand::Map,
         _ => return key_at_helm(control),
     })
 }

@@ -77,6 +77,8 @@ pub const CONTROLS: &[Control] = controls! {
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);
         "motion.faster" [Period] "slow down, speed up time" Do(AppCommand::FasterTime);
         "ship.fly" Shift + [KeyF] "ship: take, leave its controls" Do(AppCommand::TakeControls);
+        "ship.map" Shift + [KeyM] "map of the ship's path" Do(AppCommand::Map);
+        "ship.missions" Shift + [KeyJ] "missions" Do(AppCommand::Missions);
     }
     Scene {
         "preset.1" [Digit1] "presets" Load(1);

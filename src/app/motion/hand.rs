@@ -8,6 +8,7 @@ use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
 use crate::app::input::touch::Fingers;
 use crate::app::state::MAX_FRAME_SECONDS;
+use crate::app::state::helm::FingerPushes;
 use crate::app::state::preferences::Preferences;
 use bevy::ecs::system::SystemParam;
 use bevy::input::mouse::AccumulatedMouseMotion;
@@ -44,6 +45,7 @@ pub(super) struct HandInputs<'w, 's> {
     buttons: Res<'w, ButtonInput<MouseButton>>,
     motion: Res<'w, AccumulatedMouseMotion>,
     fingers: Res<'w, Fingers>,
+    finger_pushes: Res<'w, FingerPushes>,
     preferences: Res<'w, Preferences>,
     time: Res<'w, Time>,
 }
@@ -85,7 +87,8 @@ impl HandInputs<'_, '_> {
             roll: held.axis(FlightInput::RollRight, FlightInput::RollLeft),
             gear: GEAR.powf(held.axis(faster, slower)),
             key_gear: GEAR.powf(held.key_axis(faster, slower)),
-            triggers: held.pads.strength(faster) - held.pads.strength(slower),
+            pushes: held.pads.strength(faster) - held.pads.strength(slower)
+                + f64::from(u8::from(self.finger_pushes.0)),
         }
     }
 }
@@ -111,8 +114,8 @@ pub(super) struct Hand {
     /// Factor of the speed by keys and a gamepad's triggers, and by keys alone.
     gear: f64,
     key_gear: f64,
-    /// The right trigger against the left one.
-    triggers: f64,
+    /// Thrust along the ship's nose by the right trigger against the left one, and by the finger's button.
+    pushes: f64,
 }
 
 impl Hand {
@@ -137,11 +140,11 @@ impl Hand {
         (look * 2.0 * half_height).extend(roll)
     }
 
-    /// What the hand does at the ship's controls. The triggers push, too.
+    /// What the hand does at the ship's controls.
     pub(super) fn stick(&self, scene: &Scene, seconds: f64) -> Stick {
         let [right, up, forward] = self.thrust.to_array();
         let [turn_right, turn_up, roll] = self.look(scene, seconds).to_array();
-        let thrust = DVec3::new(forward + self.triggers, -right, up);
+        let thrust = DVec3::new(forward + self.pushes, -right, up);
         Stick {
             thrust: thrust.clamp_length_max(1.0),
             turn: DVec3::new(roll, -turn_up, -turn_right),

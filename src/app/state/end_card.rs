@@ -31,6 +31,15 @@ impl EndCard {
         };
     }
 
+    /// Shows a card with these ways alone.
+    pub(crate) fn tell(&mut self, title: &str, text: &str, ways: Vec<Way>) {
+        *self = Self {
+            title: title.into(),
+            text: text.into(),
+            ways,
+        };
+    }
+
     pub(crate) fn close(&mut self) {
         *self = Self::default();
     }

@@ -25,8 +25,14 @@ impl Helm {
     }
 }
 
+/// Whether a finger holds the button that pushes the ship along its nose.
+#[derive(Resource, Default)]
+pub(crate) struct FingerPushes(pub(crate) bool);
+
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<Helm>().add_message::<ShipCommand>();
+    app.init_resource::<Helm>()
+        .init_resource::<FingerPushes>()
+        .add_message::<ShipCommand>();
 }
 
 /// Sends commands to whom they are for: some are the ship's while the hands fly it.
@@ -40,7 +46,8 @@ pub(crate) struct CommandSender<'w> {
 impl CommandSender<'_> {
     pub(crate) fn send(&mut self, command: AppCommand) {
         let for_ship = self.helm.has_ship();
-        match ship_command(command).filter(|_| for_ship) {
+        let on_mission = *self.helm == Helm::Mission;
+        match ship_command(command, on_mission).filter(|_| for_ship) {
             Some(command) => drop(self.ship.write(command)),
             None => drop(self.app.write(command)),
         }

@@ -9,6 +9,7 @@ use lightfall_core::scene::presets::PRESETS;
 pub enum MenuEntry {
     Resume,
     Places,
+    Missions,
     Journey,
     LetGo,
     Help,
@@ -19,14 +20,17 @@ pub enum MenuEntry {
     Quit,
     /// Go to the built-in preset at this place in the list.
     Place(usize),
-    /// Leave the list of places.
+    /// Begin the mission at this place in the list.
+    Mission(usize),
+    /// Leave the list.
     Back,
 }
 
 /// The entries of the first list.
-const MAIN: [MenuEntry; 9] = [
+const MAIN: [MenuEntry; 10] = [
     MenuEntry::Resume,
     MenuEntry::Places,
+    MenuEntry::Missions,
     MenuEntry::Journey,
     MenuEntry::LetGo,
     MenuEntry::Help,
@@ -40,8 +44,20 @@ const MAIN: [MenuEntry; 9] = [
 #[derive(Resource, Clone, Debug, Default)]
 pub struct Menu {
     open: bool,
-    places: bool,
+    list: MenuList,
     selected: usize,
+}
+
+/// Which entries the menu shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MenuList {
+    /// The first one.
+    #[default]
+    Main,
+    /// The built-in presets.
+    Places,
+    /// So many missions.
+    Missions(usize),
 }
 
 impl Menu {
@@ -54,19 +70,23 @@ impl Menu {
     /// Whether the list of places is shown.
     #[must_use]
     pub fn shows_places(&self) -> bool {
-        self.places
+        self.list == MenuList::Places
+    }
+
+    /// The list that is shown.
+    #[must_use]
+    pub fn list(&self) -> MenuList {
+        self.list
     }
 
     /// The entries that are shown.
     #[must_use]
     pub fn entries(&self) -> Vec<MenuEntry> {
-        if self.places {
-            (0..PRESETS.len())
-                .map(MenuEntry::Place)
-                .chain([MenuEntry::Back])
-                .collect()
-        } else {
-            MAIN.to_vec()
+        let with_back = |entries: Vec<MenuEntry>| [entries, vec![MenuEntry::Back]].concat();
+        match self.list {
+            MenuList::Main => MAIN.to_vec(),
+            MenuList::Places => with_back((0..PRESETS.len()).map(MenuEntry::Place).collect()),
+            MenuList::Missions(count) => with_back((0..count).map(MenuEntry::Mission).collect()),
         }
     }
 
@@ -90,19 +110,25 @@ impl Menu {
         *self = Self::default();
     }
 
-    /// Leaves the list of places, or closes the menu.
+    /// Leaves a list for the first one, or closes the menu.
     pub fn go_back(&mut self) {
-        if self.places {
-            self.open();
-            self.select(MenuEntry::Places);
-        } else {
-            self.close();
-        }
+        let entry = match self.list {
+            MenuList::Main => return self.close(),
+            MenuList::Places => MenuEntry::Places,
+            MenuList::Missions(_) => MenuEntry::Missions,
+        };
+        self.open();
+        self.select(entry);
     }
 
     /// Shows the list of places.
     pub fn show_places(&mut self) {
-        (self.places, self.selected) = (true, 0);
+        (self.list, self.selected) = (MenuList::Places, 0);
+    }
+
+    /// Shows the list of so many missions.
+    pub fn show_missions(&mut self, count: usize) {
+        (self.list, self.selected) = (MenuList::Missions(count), 0);
     }
 
     /// Selects an entry, if it is shown.

@@ -9,6 +9,8 @@ pub(crate) mod history;
 pub(crate) mod hole_in_view;
 pub(crate) mod light_meter;
 pub(crate) mod menu;
+pub(crate) mod mission_results;
+pub(crate) mod missions;
 pub(crate) mod notice;
 pub(crate) mod overlays;
 pub(crate) mod paused;

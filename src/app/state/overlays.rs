@@ -29,6 +29,8 @@ pub(crate) struct Overlays {
     pub(crate) inspector: bool,
     pub(crate) guides: bool,
     pub(crate) star_names: bool,
+    /// Whether the map of the ship's path is hidden.
+    pub(crate) hides_map: bool,
     /// Whether every overlay and the status bar are hidden for now.
     pub(crate) hidden: bool,
     /// The side whose panel is covered, in a window too narrow for both.

@@ -1,7 +1,9 @@
 //! Opens and closes what is drawn over the picture, and draws the frames of the two side panels.
 
+use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
+use crate::app::state::helm::Helm;
 use crate::app::state::overlays::{Overlays, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::star_names::has_stars;
@@ -25,7 +27,8 @@ pub(crate) fn apply_overlay_commands(
     mut commands: MessageReader<AppCommand>,
     mut overlays: ResMut<Overlays>,
     mut toast: ResMut<Toast>,
-    scene: Res<CurrentScene>,
+    (scene, helm): (Res<CurrentScene>, Res<Helm>),
+    bindings: Res<Bindings>,
 ) {
     for command in commands.read() {
         let (is_open, [open, closed]) = match command {
@@ -59,6 +62,17 @@ pub(crate) fn apply_overlay_commands(
                     "Star names: on, but the sky shows no real stars"
                 };
                 (overlays.star_names, [on, "Star names: off"])
+            }
+            AppCommand::Map if !helm.has_ship() => {
+                toast.say(format!(
+                    "The map shows the ship's path: {} takes its controls",
+                    bindings.label("ship.fly")
+                ));
+                continue;
+            }
+            AppCommand::Map => {
+                overlays.hides_map = !overlays.hides_map;
+                (!overlays.hides_map, ["Map: shown", "Map: hidden"])
             }
             _ => continue,
         };

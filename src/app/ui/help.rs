@@ -21,7 +21,7 @@ const FINGERS: [[&str; 2]; 4] = [
     ["finger", "look around"],
     ["two, pinch", "field of view, or distance"],
     ["two, turn", "roll"],
-    ["tap", "menu, places, fall, photo"],
+    ["tap", "menu, places, ship, fall, photo"],
 ];
 
 /// Arrangements of the headings in columns. The first one that fits the window is used.

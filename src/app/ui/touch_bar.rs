@@ -5,7 +5,7 @@ use crate::app::controls::control::AppCommand;
 use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
-use crate::app::state::helm::CommandSender;
+use crate::app::state::helm::{CommandSender, FingerPushes};
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::layout::{GAP, Importance, Layout, Slide};
@@ -32,6 +32,8 @@ enum Use {
     Command(AppCommand),
     /// Open the menu at its list of places.
     Places,
+    /// Push the ship along its nose while the button is held.
+    Push,
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -72,6 +74,7 @@ fn buttons(overlays: &Overlays, falls: bool, travels: bool) -> Vec<(&'static str
     vec![
         (if covered { "Close" } else { "Menu" }, Use::Command(Escape)),
         ("Places", Use::Places),
+        ("Ship", Use::Command(AppCommand::TakeControls)),
         (if falls { "Hold" } else { "Fall" }, Use::Command(LetGo)),
         (
             if travels { "Stop" } else { "Journey" },
@@ -81,6 +84,18 @@ fn buttons(overlays: &Overlays, falls: bool, travels: bool) -> Vec<(&'static str
     ]
 }
 
+/// The buttons at the ship's controls, with what is on them. The bar stays while they are used.
+const AT_HELM: [(&str, Use); 8] = [
+    ("Push", Use::Push),
+    ("Nose", Use::Command(AppCommand::Face)),
+    ("Orbit", Use::Command(AppCommand::OrbitCamera)),
+    ("Still", Use::Command(AppCommand::Hover)),
+    ("Engine off", Use::Command(AppCommand::LetGo)),
+    ("Slower", Use::Command(AppCommand::SlowerTime)),
+    ("Faster", Use::Command(AppCommand::FasterTime)),
+    ("Menu", Use::Command(AppCommand::Escape)),
+];
+
 fn show_touch_bar(
     mut contexts: EguiContexts,
     mut layout: ResMut<Layout>,
@@ -89,12 +104,19 @@ fn show_touch_bar(
     mut bar: ResMut<TouchBar>,
     mut menu: ResMut<Menu>,
     mut commands: CommandSender,
+    mut finger_pushes: ResMut<FingerPushes>,
 ) -> Result {
+    finger_pushes.0 = false;
     if !bar.open {
         return Ok(());
     }
+    let at_helm = commands.helm.has_ship() && !overlays.hidden;
     let context = contexts.ctx_mut()?;
-    let buttons = buttons(&overlays, free_fall.is_moving(), player.is_playing());
+    let buttons = if at_helm {
+        AT_HELM.to_vec()
+    } else {
+        buttons(&overlays, free_fall.is_moving(), player.is_playing())
+    };
     // Between the panels or, if they leave too little room, over them.
     let mut room = layout.bounds();
     if room.width() < buttons.len() as f32 * (BUTTON.x + GAP) + GAP {
@@ -120,8 +142,11 @@ fn show_touch_bar(
                 ui.horizontal_wrapped(|ui| {
                     for (text, does) in buttons {
                         let text = egui::RichText::new(text).size(TEXT);
-                        if ui.add(egui::Button::new(text).min_size(BUTTON)).clicked() {
-                            used = Some(does);
+                        let button = ui.add(egui::Button::new(text).min_size(BUTTON));
+                        match does {
+                            Use::Push => finger_pushes.0 = button.is_pointer_button_down_on(),
+                            _ if button.clicked() => used = Some(does),
+                            _ => {}
                         }
                     }
                 });
@@ -130,8 +155,9 @@ fn show_touch_bar(
     let Some(used) = used else {
         return Ok(());
     };
-    bar.open = false;
+    bar.open = at_helm;
     match used {
+        Use::Push => {}
         Use::Command(command) => commands.send(command),
         Use::Places => {
             menu.open();

@@ -195,9 +195,9 @@ pub enum PresetsCommand {
         #[arg(long)]
         needs: bool,
     },
-    /// Check a preset
+    /// Check a preset or a mission
     Check {
-        /// Number or name of a preset, a TOML file, or a picture that Lightfall drew
+        /// Number or name of a preset, a TOML file of a preset or of a mission, or a picture that Lightfall drew
         #[arg(value_name = "N|NAME|PATH")]
         preset: OsString,
     },

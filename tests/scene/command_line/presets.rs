@@ -228,3 +228,46 @@ fn the_scene_without_options_passes_the_check() {
         Scene::default()
     );
 }
+
+/// A mission's solution is flown.
+#[test]
+fn missions_are_checked_by_name_and_path_and_one_that_its_solution_misses_is_refused() {
+    let checked = |file: &str| {
+        let preset = file.into();
+        let mut out = Vec::new();
+        commands::presets(&PresetsCommand::Check { preset }, &mut out)
+            .map(|()| String::from_utf8(out).unwrap())
+            .map_err(|stop| stop.to_string())
+    };
+    let ok = "ok, a mission; its solution reaches 1 goal with a rapidity of 0.0517\n";
+    assert_eq!(checked("two-burns").unwrap(), format!("two-burns: {ok}"));
+    let text = fs::read_to_string("assets/missions/two-burns.toml").unwrap();
+    let with = |from: &str, to: &str| {
+        assert!(text.contains(from));
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let name = file.path().to_str().unwrap().to_owned();
+        checked(&name).map_err(|fault| fault.replace(&name, "FILE"))
+    };
+    assert!(with("Two burns", "Three burns").unwrap().ends_with(ok));
+    let missed = with("E <= 0.9622504486", "E <= 0.97").unwrap_err();
+    assert_eq!(missed, "FILE: the solution reaches 0 of 1 goal");
+    let unknown = with("brief = ", "brieff = ").unwrap_err();
+    assert!(
+        unknown.starts_with("FILE: line 11, column 1: unknown field `brieff`"),
+        "{unknown}"
+    );
+    let no_start = with("r = 10.0", "r = 0.5").unwrap_err();
+    assert!(
+        no_start.contains("the start of the mission is refused"),
+        "{no_start}"
+    );
+    let (without, _) = text.split_once("[[solution]]").unwrap();
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(&file, without).unwrap();
+    let answer = checked(file.path().to_str().unwrap()).unwrap();
+    assert!(
+        answer.ends_with("ok, a mission without a solution\n"),
+        "{answer}"
+    );
+}

@@ -62,6 +62,39 @@ impl Mission {
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
+
+    /// Everything that players read.
+    pub fn texts(&self) -> Vec<&String> {
+        let mut texts = vec![
+            &self.title,
+            &self.brief,
+            &self.teaches,
+            &self.ending.success,
+            &self.ending.failure,
+        ];
+        texts.extend(self.goals.iter().map(|goal| &goal.text));
+        texts.extend(self.fails.iter().map(|fail| &fail.text));
+        texts.extend(self.captions.iter().map(|caption| &caption.text));
+        texts.extend(self.hints.iter().map(|hint| &hint.text));
+        texts.extend(self.questions.iter().map(|question| &question.text));
+        texts
+    }
+}
+
+/// Whether a text is meant as a mission, and not as a preset: it has a table that only missions have.
+pub fn is_mission(text: &str) -> bool {
+    const TABLES: [&str; 3] = ["[[goal]]", "[ending]", "[[solution]]"];
+    text.lines().any(|line| {
+        TABLES
+            .iter()
+            .any(|table| line.trim_start().starts_with(table))
+    })
+}
+
+/// The built-in mission with this name.
+pub fn built_in(name: &str) -> Option<Mission> {
+    let (name, text) = MISSIONS.into_iter().find(|(known, _)| *known == name)?;
+    load(name, text).ok()
 }
 
 macro_rules! missions {

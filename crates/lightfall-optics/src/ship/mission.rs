@@ -115,6 +115,11 @@ impl Attempt {
         &self.reached
     }
 
+    /// Since when the conditions of the next goal hold, in own time. `None` while they do not.
+    pub fn held_since(&self) -> Option<f64> {
+        self.held_since
+    }
+
     /// Gives the ship other orders.
     pub fn order(&mut self, orders: Orders) {
         self.voyage.flight.order(orders);

@@ -15,6 +15,18 @@ pub fn presets_folder() -> Option<PathBuf> {
     Some(settings_folder()?.join("presets"))
 }
 
+/// The folder of the user's own missions, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn missions_folder() -> Option<PathBuf> {
+    Some(settings_folder()?.join("missions"))
+}
+
+/// The file of the results of missions, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn mission_results_file() -> Option<PathBuf> {
+    Some(settings_folder()?.join("mission-results.csv"))
+}
+
 #[cfg(not(target_arch = "wasm32"))]
 fn settings_folder() -> Option<PathBuf> {
     let folders = directories::ProjectDirs::from("", "", "lightfall")?;

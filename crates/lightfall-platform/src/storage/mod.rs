@@ -20,8 +20,11 @@ pub use files::{
 pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
-pub use folders::{preset_files, presets_folder, settings_file};
+pub use folders::{
+    mission_results_file, missions_folder, preset_files, presets_folder, settings_file,
+};
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{
-    SourceError, own_presets, read_journey, read_scene, read_stars, scene_by_name, scene_of_file,
+    SourceError, own_presets, read_journey, read_mission, read_scene, read_stars, scene_by_name,
+    scene_of_file,
 };

@@ -7,6 +7,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
+use lightfall_core::scene::mission::{self, Mission, MissionError};
 use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
 use sha2::{Digest, Sha256};
 use std::ffi::OsStr;
@@ -29,6 +30,9 @@ pub enum SourceError {
     /// The journey is wrong.
     #[error(transparent)]
     Journey(#[from] JourneyError),
+    /// The mission is wrong.
+    #[error(transparent)]
+    Mission(#[from] MissionError),
     /// The catalogue of stars is wrong.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
@@ -147,6 +151,22 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
             path: path.into(),
             unflyable,
         })
+}
+
+/// The mission of a file. `None` if the file is a preset or a picture.
+///
+/// # Errors
+/// The file cannot be read, or is a mission that is wrong.
+pub fn read_mission(path: &Path) -> Result<Option<Mission>, SourceError> {
+    let bytes = contents(path)?;
+    if is_picture(&bytes) {
+        return Ok(None);
+    }
+    let text = text_of_source(path, bytes)?;
+    mission::is_mission(&text)
+        .then(|| mission::load(&path.display().to_string(), &text))
+        .transpose()
+        .map_err(SourceError::Mission)
 }
 
 /// The catalogue of a CSV file of stars.

@@ -60,7 +60,7 @@ fn assert_laid_out(state: &State, scale: f32, free: [f32; 2], what: &str) {
     for (i, (name, place)) in boxes.iter().enumerate() {
         for (other, covered) in &boxes[..i] {
             // These cover it where there is no room beside it.
-            let always = ["notice", "end card", "toast", "journey"].contains(&&**name);
+            let always = ["notice", "end card", "toast", "journey", "caption"].contains(&&**name);
             assert!(
                 (always && other == "hole") || !overlap(*place, *covered),
                 "{what}: {name} {place:?} covers {other} {covered:?}"
@@ -173,4 +173,42 @@ fn captions_the_end_card_and_the_whole_menu_have_room_in_small_windows() {
     let menu = desktop.wait_for("the menu", |state| state.shows("Quit"));
     let last = menu.texts.iter().find(|text| text.words == "Quit").unwrap();
     assert!(last.place.max[1] < height as f32 - 10.0, "{last:?}");
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_instruments_the_map_and_the_captions_of_a_mission_cover_nothing() {
+    let desktop = Desktop::open(&["--preset", PLAIN]);
+    desktop.first_picture();
+    let check = |open: &str, wanted: &[&str]| {
+        for (scale, [width, height]) in CELLS {
+            desktop.resize(width, height);
+            desktop.order(&Order::TextSize(scale));
+            let state = desktop.later(FRAMES);
+            let what = format!("{width} x {height}, {scale}, {open}");
+            assert_laid_out(&state, scale, [0.0, width as f32 / scale], &what);
+            if [width, height] == [1440, 810] && scale == 1.0 {
+                for name in wanted {
+                    let shown = state.boxes.iter().any(|(shown, _)| shown == name);
+                    assert!(shown, "{what}: no {name} in {:?}", state.boxes);
+                }
+            }
+        }
+        desktop.order(&Order::TextSize(1.0));
+    };
+    press_all(&desktop, &["shift+j", "Return"]);
+    desktop.wait_for("the card", |state| state.ship.is_some() && !state.menu);
+    check("card", &["end card", "instruments", "mission"]);
+    press_all(&desktop, &["Escape", "slash"]);
+    desktop.wait_for("the caption", |state| {
+        state.mentions("Your nose points backward")
+    });
+    check("caption", &["caption", "instruments", "map", "mission"]);
+    // From retrograde to outward, to the gyroscopes, and to the hole.
+    press_all(&desktop, &["y"; 3]);
+    desktop.later(20);
+    check(
+        "hole",
+        &["hole", "caption", "instruments", "map", "mission"],
+    );
 }

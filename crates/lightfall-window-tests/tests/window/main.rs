@@ -29,6 +29,7 @@ mod lost;
 mod manager;
 mod menu;
 mod messages;
+mod missions;
 mod pasting;
 mod pixel_look;
 #[path = "../../../lightfall-core/tests/physics/random.rs"]

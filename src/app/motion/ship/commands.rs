@@ -1,6 +1,7 @@
 //! The ship's keys, and its frames.
 
 use super::frame::ShipFrame;
+use super::mission_play::MissionPlay;
 use super::ship_flight::{HoldKind, ShipFlight};
 use super::words;
 use crate::app::controls::bindings::Bindings;
@@ -15,6 +16,7 @@ use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::pilot::Pilot;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::helm::Helm;
+use crate::app::state::missions::AskedQuestion;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -80,6 +82,7 @@ fn set_helm(ship: &ShipFlight, helm: &mut ResMut<Helm>) {
 pub(super) fn apply_ship_commands(
     mut commands: MessageReader<ShipCommand>,
     mut ship: ResMut<ShipFlight>,
+    (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
     preferences: Res<Preferences>,
     mut editor: SceneEditor,
 ) {
@@ -113,6 +116,17 @@ pub(super) fn apply_ship_commands(
                 ship.change_pace(if faster { 1 } else { -1 });
                 editor.say(words::pace(&ship, units));
             }
+            ShipCommand::Checkpoint => {
+                asked.close();
+                ship.go_back();
+                editor.say("Back at the last goal, or the start");
+            }
+            ShipCommand::Again => {
+                asked.close();
+                ship.begin_again();
+                play.begin_again();
+                editor.say("The mission from its start");
+            }
         }
     }
 }
@@ -134,7 +148,7 @@ pub(crate) fn advance_ship(
     mut helm: ResMut<Helm>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
-    mut end_card: ResMut<EndCard>,
+    (mut end_card, asked): (ResMut<EndCard>, Res<AskedQuestion>),
     mut editor: SceneEditor,
 ) {
     if !ship.is_flown() {
@@ -142,8 +156,9 @@ pub(crate) fn advance_ship(
     }
     ship.change_thrust(std::mem::take(&mut pilot.notches));
     let before = editor.drawn_scene();
-    // While a card is read, the clocks stand still.
-    let stands = paused.0 || shot.holds_still() || end_card.is_open();
+    // While a card is read or a question is answered, the clocks stand still.
+    let reads = end_card.is_open() || asked.question().is_some();
+    let stands = paused.0 || shot.holds_still() || reads;
     let seconds = inputs.seconds();
     let frame = ShipFrame {
         seconds: if stands { 0.0 } else { seconds },
@@ -158,6 +173,8 @@ pub(crate) fn advance_ship(
             bindings.label("ship.fly")
         )),
         FlightStep::Moved(next) => editor.fly(&next),
+        // A mission has its own card.
+        FlightStep::Ended(next) if ship.attempt().is_some() => editor.fly(&next),
         FlightStep::Ended(next) => {
             editor.fly(&next);
             let text = words::ending(&ship, preferences.settings.units());

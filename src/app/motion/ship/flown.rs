@@ -53,6 +53,14 @@ impl Flown {
         }
     }
 
+    /// How many goals of a mission are reached.
+    pub(super) fn goals_reached(&self) -> usize {
+        match self {
+            Self::Free(_) => 0,
+            Self::Mission(attempt) => attempt.reached().len(),
+        }
+    }
+
     /// The radii in the conditions of the next goal.
     pub(super) fn radii(&self) -> Vec<f64> {
         let Self::Mission(attempt) = self else {

@@ -1,7 +1,8 @@
 //! A frame of the ship's flight.
 
+use super::aboard::Aboard;
 use super::pace::{Stop, first_stop};
-use super::ship_flight::{Aboard, ShipFlight};
+use super::ship_flight::ShipFlight;
 use super::stick::Stick;
 use crate::app::motion::flight_step::FlightStep;
 use crate::app::motion::pose::pose_of;
@@ -77,14 +78,19 @@ impl Aboard {
     /// Moves the ship. Returns whether it has come to a limit of its flight, and what happened.
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
         self.steer(frame);
-        let wanted = self.rate() * frame.seconds.min(MAX_FRAME_SECONDS);
+        let seconds = if self.has_ended { 0.0 } else { frame.seconds };
+        let wanted = self.rate() * seconds.min(MAX_FRAME_SECONDS);
         let stop = (self.pace > 1.0)
             .then(|| first_stop(self.flown.voyage(), wanted, &self.flown.radii()))
             .flatten();
         let time = stop.map_or(wanted, |(time, _)| time);
         let fuel = self.flown.voyage().flight.rocket.left();
         let before = self.flown.ship().proper_time();
+        let goals = self.flown.goals_reached();
         self.flown.advance(time)?;
+        if self.flown.goals_reached() > goals {
+            self.checkpoint = self.flown.clone();
+        }
         self.records.note(self.flown.voyage());
         let mut news = None;
         if let Some((_, stop)) = stop {
@@ -102,7 +108,8 @@ impl Aboard {
         }
         // Only a limit of the flight stops the ship's clock.
         let passed = self.flown.ship().proper_time() - before;
-        Ok((passed < 0.999_999 * time, news))
+        self.has_ended |= passed < 0.999_999 * time;
+        Ok((self.has_ended && seconds > 0.0, news))
     }
 
     /// Turns the ship, and gives the orders of this frame.

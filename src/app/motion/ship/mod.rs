@@ -3,11 +3,16 @@
 //! The ship is moved in f64 by `optics/ship`, and written into the scene as an observer and a camera
 //! that looks along its nose. So everything that draws a scene draws what its pilot sees.
 
+mod aboard;
 mod commands;
 mod flown;
 mod frame;
+mod mission_play;
+mod mission_words;
 mod nose;
 mod pace;
+mod path;
+mod score;
 mod ship_flight;
 mod stick;
 mod words;
@@ -16,8 +21,11 @@ pub(super) use commands::advance_ship;
 pub(crate) use flown::tide_of;
 pub use flown::{Flown, Records};
 pub use frame::{News, ShipFrame};
+pub(crate) use mission_play::MissionPlay;
 pub use nose::{HEADINGS, Nose};
 pub use pace::{Engine, own_time_rate};
+pub use path::path_ahead;
+pub use score::{lamps, solution_time};
 pub use ship_flight::{HoldKind, ShipFlight};
 pub use stick::Stick;
 pub(crate) use words::heading_words;
@@ -25,15 +33,20 @@ pub(crate) use words::heading_words;
 use bevy::prelude::*;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<ShipFlight>().add_systems(
-        Update,
-        (
-            commands::take_controls,
-            commands::apply_ship_commands,
-            advance_ship,
-        )
-            .chain()
-            .after(super::pilot::grab_mouse)
-            .after(crate::app::input::touch::read_fingers),
-    );
+    app.init_resource::<ShipFlight>()
+        .init_resource::<MissionPlay>()
+        .init_resource::<mission_play::SolutionTimes>()
+        .add_systems(
+            Update,
+            (
+                commands::take_controls,
+                mission_play::start_missions,
+                commands::apply_ship_commands,
+                advance_ship,
+                mission_play::watch_mission,
+            )
+                .chain()
+                .after(super::pilot::grab_mouse)
+                .after(crate::app::input::touch::read_fingers),
+        );
 }

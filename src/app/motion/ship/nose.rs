@@ -48,6 +48,15 @@ impl Nose {
         }
     }
 
+    /// A nose that the autopilot keeps on this heading.
+    #[must_use]
+    pub fn following(heading: Heading) -> Self {
+        Self {
+            state: State::Follows,
+            ..Self::on(heading)
+        }
+    }
+
     /// Begins to turn to the last heading or, if the nose follows it, to the next one. `None` if the
     /// gyroscopes hold the nose from now on.
     pub fn step(&mut self) -> Option<Heading> {

@@ -12,7 +12,7 @@ pub(super) const PACE_STEP: f64 = 2.0;
 pub(super) const SLOWEST: f64 = 1.0 / 1024.0;
 /// A full tank lasts at least so many seconds at full thrust by hand, so that a press of a key can be
 /// short enough.
-const TANK_SECONDS: f64 = 10.0;
+const TANK_SECONDS: f64 = 30.0;
 /// Orbits that are rounder, as a share of the radius, have no turning points to stop at.
 const ROUND: f64 = 0.01;
 /// Faster time ends where the ship comes down to so many radii of the horizon.

@@ -1,17 +1,15 @@
 //! The flight of the ship with its pilot: who has the controls, what holds and turns the ship, and how
 //! fast its time passes.
 
+use super::aboard::{Aboard, first_nose, hold_here};
 use super::flown::{Flown, Records};
 use super::nose::Nose;
-use super::pace::{Engine, PACE_STEP, SLOWEST, own_time_rate};
-use super::stick::Stick;
-use crate::app::motion::pose::{Pose, pose_of};
+use super::pace::{Engine, PACE_STEP, SLOWEST};
 use bevy::prelude::Resource;
-use lightfall_core::geometry::ship::Ship;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::ship::{
-    Attempt, BoardError, Flight, Heading, Hold, HoldRefusal, Mount, Rocket, StartError, Thrust,
-    Voyage, board,
+    Attempt, BoardError, Flight, Heading, Hold, HoldRefusal, Mount, Rocket, StartError, Voyage,
+    board,
 };
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::mission::Mission;
@@ -20,8 +18,6 @@ use lightfall_core::scene::mission::Mission;
 /// speed of its exhaust in c.
 const FREE_ROCKET: [f64; 3] = [3.0, 1.0, 1.0];
 
-/// The thrust that is set at first, as a share of the engine's: one gear below full thrust.
-const FIRST_THRUST: f64 = 0.25;
 /// One notch of the wheel changes the thrust by this factor, within a range.
 const THRUST_NOTCH: f64 = 1.15;
 const LEAST_THRUST: f64 = 0.002;
@@ -41,27 +37,6 @@ pub struct ShipFlight {
     pub(super) aboard: Option<Aboard>,
 }
 
-/// A ship with a pilot.
-#[derive(Clone, Debug)]
-pub(super) struct Aboard {
-    pub(super) flown: Flown,
-    /// The flight at the last goal, or at the start.
-    pub(super) checkpoint: Flown,
-    pub(super) records: Records,
-    /// Where the camera was left, by which the ship notices that something else moves it.
-    pub(super) last: Pose,
-    /// The thrust that is set, as a share of the engine's.
-    pub(super) thrust: f64,
-    /// How fast own time passes, as a multiple of the usual pace.
-    pub(super) pace: f64,
-    pub(super) hold: Option<Hold>,
-    pub(super) nose: Nose,
-    /// The hand's input in the last frame.
-    pub(super) stick: Stick,
-    /// The time of a turn of the clocks' dials, in r_s/c.
-    pub(super) dial: f64,
-}
-
 impl ShipFlight {
     /// Takes the controls of a ship that moves as the scene's observer, with a full tank. Without a
     /// mission its hole has this mass.
@@ -74,7 +49,11 @@ impl ShipFlight {
         let rocket = Rocket::new(rapidity, acceleration, exhaust)
             .expect("the constants are those of a rocket");
         let voyage = Voyage::new(Flight::new(ship, rocket), mass);
-        self.begin(Flown::Free(Box::new(voyage)), scene, Heading::Hole);
+        self.begin(
+            Flown::Free(Box::new(voyage)),
+            scene,
+            Nose::on(Heading::Hole),
+        );
         Ok(())
     }
 
@@ -84,25 +63,13 @@ impl ShipFlight {
     /// The mission's start does not exist.
     pub fn start(&mut self, mission: &Mission, scene: &Scene) -> Result<(), StartError> {
         let attempt = Attempt::new(mission)?;
-        let face = mission.start.face.into();
-        self.begin(Flown::Mission(Box::new(attempt)), scene, face);
+        let nose = first_nose(mission);
+        self.begin(Flown::Mission(Box::new(attempt)), scene, nose);
         Ok(())
     }
 
-    fn begin(&mut self, flown: Flown, scene: &Scene, face: Heading) {
-        let time_scale = scene.camera.r.powf(1.5);
-        self.aboard = Some(Aboard {
-            checkpoint: flown.clone(),
-            records: Records::of(flown.voyage()),
-            flown,
-            last: pose_of(scene),
-            thrust: FIRST_THRUST,
-            pace: 1.0,
-            hold: None,
-            nose: Nose::on(face),
-            stick: Stick::NEUTRAL,
-            dial: 10f64.powf(time_scale.log10().floor()),
-        });
+    fn begin(&mut self, flown: Flown, scene: &Scene, nose: Nose) {
+        self.aboard = Some(Aboard::new(flown, scene, nose));
     }
 
     /// Leaves the controls.
@@ -113,9 +80,14 @@ impl ShipFlight {
     /// Goes back to the last goal, or to the start.
     pub fn go_back(&mut self) {
         if let Some(aboard) = &mut self.aboard {
-            aboard.flown = aboard.checkpoint.clone();
-            aboard.engine_off();
-            aboard.pace = 1.0;
+            aboard.return_to(aboard.checkpoint.clone());
+        }
+    }
+
+    /// Goes back to the start.
+    pub fn begin_again(&mut self) {
+        if let Some(aboard) = &mut self.aboard {
+            aboard.begin_again();
         }
     }
 
@@ -242,37 +214,5 @@ impl ShipFlight {
         aboard.hold = Some(hold);
         aboard.pace = aboard.pace.min(Engine::Hold.fastest());
         Ok(true)
-    }
-}
-
-/// The hold of a kind at the ship's place.
-fn hold_here(kind: HoldKind, ship: &Ship) -> Hold {
-    let place = ship.place();
-    match kind {
-        HoldKind::Orbit => Hold::Orbit(place.r),
-        HoldKind::Still if place.r <= place.kerr.static_limit(place.n.z) => Hold::Zamo(place.r),
-        HoldKind::Still => Hold::Hover(place.r),
-    }
-}
-
-impl Aboard {
-    pub(super) fn engine_off(&mut self) {
-        self.hold = None;
-        self.nose.release();
-    }
-
-    /// What the engine does.
-    pub(super) fn engine(&self) -> Engine {
-        match self.flown.voyage().flight.orders().thrust {
-            Thrust::Off => Engine::Off,
-            Thrust::Axes(_) | Thrust::Along(..) => Engine::Hand,
-            Thrust::Hold(..) => Engine::Hold,
-        }
-    }
-
-    pub(super) fn rate(&self) -> f64 {
-        let flight = &self.flown.voyage().flight;
-        let r = flight.ship.place().r;
-        own_time_rate(r, self.pace, self.engine(), &flight.rocket)
     }
 }

@@ -1,5 +1,7 @@
 //! What the window says of the ship.
 
+pub(super) use super::mission_words::{brief, end, first_keys, ways_on};
+
 use super::frame::News;
 use super::pace::Stop;
 use super::ship_flight::{HoldKind, ShipFlight};

@@ -32,11 +32,18 @@ pub(crate) fn plugin(app: &mut App) {
             EguiPrimaryContextPass,
             (
                 journey::show_journey.in_set(Importance::Words),
+                ship::show_question.in_set(Importance::Cards),
+                ship::show_mission.in_set(Importance::Words),
                 toast::show_toast.in_set(Importance::Message),
                 physics_off::show_physics_off.in_set(Importance::Warning),
                 comparison::show_comparison.in_set(Importance::Sides),
-                read_outs::show_read_outs.in_set(Importance::ReadOuts),
-                ship::show_instruments.in_set(Importance::ReadOuts),
+                (
+                    read_outs::show_read_outs,
+                    ship::show_instruments,
+                    ship::show_map,
+                )
+                    .chain()
+                    .in_set(Importance::ReadOuts),
                 ship::show_markers.in_set(Importance::Guides),
                 title::show_title.in_set(Importance::Title),
                 key_hints::show_key_hints.in_set(Importance::KeyHints),

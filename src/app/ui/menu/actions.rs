@@ -1,18 +1,25 @@
 //! What the menu's entries are called, and what they do.
 
+use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand};
 use crate::app::controls::table::control_named;
 use crate::app::state::helm::CommandSender;
-use crate::app::state::menu::{Menu, MenuEntry};
+use crate::app::state::menu::{Menu, MenuEntry, MenuList};
+use crate::app::state::missions::{Missions, StartMission};
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::presets::PRESETS;
+use lightfall_platform::IN_BROWSER;
 
 /// The menu, and what its entries act on.
 #[derive(SystemParam)]
 pub(super) struct MenuActions<'w> {
     pub(super) menu: ResMut<'w, Menu>,
+    pub(super) missions: ResMut<'w, Missions>,
+    starts: MessageWriter<'w, StartMission>,
     editor: SceneEditor<'w>,
     commands: CommandSender<'w>,
 }
@@ -23,6 +30,9 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
     let words = match entry {
         MenuEntry::Resume => ["Resume", "fly.escape"],
         MenuEntry::Places => ["Places", ""],
+        MenuEntry::Missions => ["Missions", "ship.missions"],
+        // A mission has its title from the list.
+        MenuEntry::Mission(_) => ["", ""],
         MenuEntry::Journey => ["Guided journey", "journey.again"],
         MenuEntry::LetGo => ["Let go: fall or orbit", "motion.let_go"],
         MenuEntry::Help => ["Help: all keys", "window.help"],
@@ -41,10 +51,60 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
 }
 
 impl MenuActions<'_> {
+    /// What stands at the left and at the right of an entry.
+    pub(super) fn words(&self, entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
+        let [name, control] = name_and_control(entry);
+        match entry {
+            MenuEntry::Mission(index) => self.mission_words(index),
+            MenuEntry::Place(_) => [name, bindings.label(&control)],
+            _ => [name, bindings.first_label(&control)],
+        }
+    }
+
+    /// A mission's title, and the best that was reached in it.
+    fn mission_words(&self, index: usize) -> [String; 2] {
+        let Some(mission) = self.missions.list.get(index) else {
+            return Default::default();
+        };
+        let best = self.missions.results.best(&mission.name);
+        let reached = best.map_or_else(String::new, |best| {
+            let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
+            let par = best.par.map_or_else(String::new, |(quantity, value)| {
+                let name = quantity.word().replace('_', " ");
+                format!("{name} {}  ", four_digits(value))
+            });
+            par + &lamps
+        });
+        [mission.title.clone(), reached]
+    }
+
+    /// The line below the entries.
+    pub(super) fn hint(&self) -> String {
+        const KEYS: &str = "Up, Down and Enter choose";
+        let file = self.missions.results.file().filter(|_| !IN_BROWSER);
+        match (self.menu.list(), file) {
+            (MenuList::Missions(_), Some(file)) => {
+                format!("{KEYS}. Results are kept in {}", file.display())
+            }
+            _ => KEYS.into(),
+        }
+    }
+
     /// Does what an entry says.
     pub(super) fn choose(&mut self, entry: MenuEntry) {
         match entry {
             MenuEntry::Places => return self.menu.show_places(),
+            MenuEntry::Missions => {
+                let editor = &mut self.editor;
+                return show_missions(&mut self.menu, &mut self.missions, |fault| {
+                    editor.say(fault);
+                });
+            }
+            MenuEntry::Mission(index) => {
+                if let Some(mission) = self.missions.list.get(index) {
+                    self.starts.write(StartMission(Box::new(mission.clone())));
+                }
+            }
             MenuEntry::Back => return self.menu.go_back(),
             MenuEntry::Resume => {}
             MenuEntry::Place(place) => {
@@ -63,4 +123,26 @@ impl MenuActions<'_> {
         }
         self.menu.close();
     }
+}
+
+/// Opens the menu at its list of missions when the key is pressed.
+pub(super) fn open_missions(
+    mut commands: MessageReader<AppCommand>,
+    mut menu: ResMut<Menu>,
+    mut missions: ResMut<Missions>,
+    mut toast: ResMut<Toast>,
+) {
+    if AppCommand::Missions.count(&mut commands) > 0 {
+        menu.open();
+        show_missions(&mut menu, &mut missions, |fault| toast.say(fault));
+    }
+}
+
+/// Shows the list of missions, which is read again, and says what is wrong with the user's own ones.
+fn show_missions(menu: &mut Menu, missions: &mut Missions, say: impl FnOnce(String)) {
+    let faults = missions.read();
+    if !faults.is_empty() {
+        say(faults.join("\n"));
+    }
+    menu.show_missions(missions.list.len());
 }

@@ -1,16 +1,16 @@
 //! Draws the menu, and lets the mouse operate it.
 
-use super::actions::{MenuActions, name_and_control};
+use super::actions::MenuActions;
 use crate::app::controls::bindings::Bindings;
-use crate::app::state::menu::{Menu, MenuEntry};
+use crate::app::state::menu::{Menu, MenuEntry, MenuList};
 use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 use egui::{Align2, Color32, FontId, Sense};
 
-/// Width of the first list and of the list of places, in points.
+/// Width of the first list and of those of places and missions, in points.
 const WIDTH: f32 = 300.0;
-const PLACES_WIDTH: f32 = 640.0;
+const LIST_WIDTH: f32 = 640.0;
 /// Usual and minimum height of an entry, in points.
 const ENTRY_HEIGHT: f32 = 34.0;
 const MIN_ENTRY_HEIGHT: f32 = 24.0;
@@ -18,6 +18,8 @@ const MIN_ENTRY_HEIGHT: f32 = 24.0;
 const PADDING: f32 = 14.0;
 const TITLE_HEIGHT: f32 = 38.0;
 const HINT_HEIGHT: f32 = 28.0;
+/// An entry, and the words at its left and its right.
+type Row = (MenuEntry, [String; 2]);
 /// Colour that darkens the picture behind the menu.
 const SHADE: Color32 = Color32::from_black_alpha(130);
 
@@ -40,17 +42,22 @@ pub(super) fn show_menu(
             // The shade takes every click beside the menu.
             ui.painter().rect_filled(screen, 0.0, SHADE);
             ui.allocate_rect(screen, Sense::click_and_drag());
-            let title = if actions.menu.shows_places() {
-                "Places"
-            } else {
-                "Lightfall"
+            let title = match actions.menu.list() {
+                MenuList::Main => "Lightfall",
+                MenuList::Places => "Places",
+                MenuList::Missions(_) => "Missions",
             };
+            let hint = actions.hint();
             let entries = actions.menu.entries();
+            let rows: Vec<Row> = entries
+                .into_iter()
+                .map(|entry| (entry, actions.words(entry, &bindings)))
+                .collect();
             let frame = menu_frame(screen, &actions.menu);
             ui.painter()
                 .rect_filled(frame, 10.0, Color32::from_rgb(12, 12, 16));
             let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(frame.shrink(PADDING)));
-            clicked = show_entries(&mut inside, title, &mut actions.menu, &entries, &bindings);
+            clicked = show_entries(&mut inside, [title, &hint], &mut actions.menu, &rows);
         });
     if let Some(entry) = clicked {
         actions.choose(entry);
@@ -60,10 +67,9 @@ pub(super) fn show_menu(
 
 /// The box of the menu on a screen.
 pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
-    let width = if menu.shows_places() {
-        PLACES_WIDTH
-    } else {
-        WIDTH
+    let width = match menu.list() {
+        MenuList::Main => WIDTH,
+        MenuList::Places | MenuList::Missions(_) => LIST_WIDTH,
     };
     let entries = ENTRY_HEIGHT * menu.entries().len() as f32;
     let height = entries + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;
@@ -75,29 +81,28 @@ pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
 /// would leave no room for all entries. Returns the entry that was clicked.
 fn show_entries(
     ui: &mut egui::Ui,
-    title: &str,
+    [title, hint]: [&str; 2],
     menu: &mut Menu,
-    entries: &[MenuEntry],
-    bindings: &Bindings,
+    rows: &[Row],
 ) -> Option<MenuEntry> {
     let mut clicked = None;
     ui.spacing_mut().item_spacing.y = 0.0;
-    let spare = ui.available_height() - MIN_ENTRY_HEIGHT * entries.len() as f32;
+    let spare = ui.available_height() - MIN_ENTRY_HEIGHT * rows.len() as f32;
     if spare >= TITLE_HEIGHT {
         ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
         ui.add_space(10.0);
     }
     let has_hint = spare >= TITLE_HEIGHT + HINT_HEIGHT;
     let room = ui.available_height() - if has_hint { HINT_HEIGHT } else { 0.0 };
-    let height = (room / entries.len() as f32).clamp(MIN_ENTRY_HEIGHT, ENTRY_HEIGHT);
+    let height = (room / rows.len() as f32).clamp(MIN_ENTRY_HEIGHT, ENTRY_HEIGHT);
     egui::ScrollArea::vertical()
         .max_height(room)
         .min_scrolled_height(0.0)
         .auto_shrink([false, true])
         .show(ui, |ui| {
-            for entry in entries {
+            for (entry, words) in rows {
                 let selected = menu.selected() == *entry;
-                let response = show_entry(ui, *entry, height, selected, bindings);
+                let response = show_entry(ui, words, height, selected);
                 if response.hovered() && ui.input(|input| input.pointer.is_moving()) {
                     menu.select(*entry);
                 }
@@ -113,26 +118,20 @@ fn show_entries(
         return clicked;
     }
     ui.add_space(10.0);
-    let hint = egui::RichText::new("Up, Down and Enter choose");
-    ui.label(hint.size(12.5).color(WEAK_TEXT));
+    let hint = egui::RichText::new(hint).size(12.5).color(WEAK_TEXT);
+    ui.add(egui::Label::new(hint).truncate());
     clicked
 }
 
-/// Shows one entry: its name at the left, its key at the right.
+/// Shows one entry: its name at the left, its key or what was reached at the right.
 fn show_entry(
     ui: &mut egui::Ui,
-    entry: MenuEntry,
+    [name, key]: &[String; 2],
     height: f32,
     selected: bool,
-    bindings: &Bindings,
 ) -> egui::Response {
     let size = egui::vec2(ui.available_width(), height);
     let (area, response) = ui.allocate_exact_size(size, Sense::click());
-    let [name, control] = name_and_control(entry);
-    let key = match entry {
-        MenuEntry::Place(_) => bindings.label(&control),
-        _ => bindings.first_label(&control),
-    };
     let painter = ui.painter();
     if selected {
         painter.rect_filled(area, 5.0, ACCENT.gamma_multiply(0.16));
@@ -150,7 +149,7 @@ fn show_entry(
     );
     // A name that is too long ends in an ellipsis before the key.
     let mut name =
-        egui::text::LayoutJob::simple_singleline(name, FontId::proportional(16.0), colour);
+        egui::text::LayoutJob::simple_singleline(name.clone(), FontId::proportional(16.0), colour);
     name.wrap = egui::text::TextWrapping::truncate_at_width(key.left() - 12.0 - inside.left());
     let name = painter.layout_job(name);
     let at = inside.left_center() - egui::vec2(0.0, 0.5 * name.size().y);

@@ -15,7 +15,11 @@ pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
         Update,
         // The press of Esc that opens the menu must not close it in the same frame.
-        (navigation::navigate, escape::apply_escape)
+        (
+            navigation::navigate,
+            escape::apply_escape,
+            actions::open_missions,
+        )
             .chain()
             .before(super::dock::apply_overlay_commands)
             .before(crate::app::motion::pilot::grab_mouse),

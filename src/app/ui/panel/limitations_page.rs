@@ -65,7 +65,7 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
          leaves less than half of the error that they would have otherwise.",
         &unfinished,
         "The probe is in front of everything: it is not lensed, and its lamps imitate the disk only roughly.",
-        "Flying by hand moves the camera from place to place. Its observer is at rest there, or moves as the scene says.",
+        "Flying the camera by hand moves it from place to place; only the ship and a fall move as bodies do. The camera's observer is at rest there, or moves as the scene says.",
     ];
     let cells = format!(
         "The cells, the few tones and the dither pattern; {} removes them.",

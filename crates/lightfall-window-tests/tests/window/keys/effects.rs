@@ -109,6 +109,8 @@ pub const EFFECTS: &[(&str, Effect)] = &[
     ("picture.difference", Script(scripts::difference)),
     ("motion.let_go", Switches(|state| state.falls)),
     ("ship.fly", Switches(|state| state.ship.is_some())),
+    ("ship.map", Script(scripts::map)),
+    ("ship.missions", Script(scripts::missions)),
     ("motion.slower", Script(scripts::slower_time)),
     ("motion.faster", Script(scripts::faster_time)),
     ("journey.fly", Switches(|state| state.journey.is_some())),

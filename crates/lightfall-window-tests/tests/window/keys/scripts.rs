@@ -182,6 +182,27 @@ pub fn empty_view(session: &mut Session, key: &str) {
     });
 }
 
+/// The map is there at the controls of the ship.
+pub fn map(session: &mut Session, key: &str) {
+    let has_map = |state: &State| state.boxes.iter().any(|(name, _)| name == "map");
+    session.press("shift+f");
+    session.wait_for("the map", has_map);
+    session.press(key);
+    session.wait_for(key, |state| !has_map(state));
+    session.press(key);
+    session.wait_for(key, has_map);
+    session.press("shift+f");
+    session.wait_for("the end of the flight", |state| state.ship.is_none());
+}
+
+pub fn missions(session: &mut Session, key: &str) {
+    session.press(key);
+    session.wait_for(key, |state| state.menu && state.shows("Two burns"));
+    session.press("Escape");
+    session.press("Escape");
+    session.wait_for("the menu's end", |state| !state.menu);
+}
+
 pub fn slower_time(session: &mut Session, key: &str) {
     assert_eq!(change_of_pace(session, key), 0.5, "{key}");
 }

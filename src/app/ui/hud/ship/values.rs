@@ -66,7 +66,10 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     all.push(Instrument::minor("tide", format!("{tide} g per metre")));
     all.extend(signal(ship, units));
     if !units.are_simple() {
-        let error = format!("{:.0e}", ship.error().stated());
+        let error = match ship.error().stated() {
+            0.0 => "none yet".into(),
+            error => format!("{error:.0e}"),
+        };
         all.push(Instrument::minor("error of the flight", error));
     }
     all

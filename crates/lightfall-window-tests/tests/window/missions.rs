@@ -1,0 +1,263 @@
+//! The ship and its first mission, flown in the window by keys and by a gamepad.
+
+use crate::PLAIN;
+use crate::desktop::Desktop;
+use watched::{Order, Pad, ShipState, State};
+
+/// Time of a frame, in seconds.
+const STEP: f64 = 0.1;
+
+fn ship(state: &State) -> &ShipState {
+    state.ship.as_ref().expect("someone flies the ship")
+}
+
+/// Waits until something is so of the ship.
+#[track_caller]
+fn wait_for(desktop: &Desktop, what: &str, is_so: impl Fn(&ShipState) -> bool) {
+    desktop.wait_for(what, |state| state.ship.as_ref().is_some_and(&is_so));
+}
+
+fn has_card(state: &State) -> bool {
+    state.boxes.iter().any(|(name, _)| name == "end card")
+}
+
+/// Opens the window, and begins the first mission of the list.
+fn begin() -> Desktop {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    desktop.press("shift+j");
+    desktop.wait_for("the list", |state| state.menu && state.shows("Two burns"));
+    desktop.press("Return");
+    let begun = desktop.wait_for("the mission with its card", |state| {
+        !state.menu && state.ship.is_some() && has_card(state)
+    });
+    assert_eq!(ship(&begun).mission, ["two-burns", "UnderWay(0)"]);
+    assert_eq!(ship(&begun).own_time, 0.0, "the clocks run behind the card");
+    assert!((begun.number("camera.r") - 10.0).abs() < 1e-9);
+    desktop
+}
+
+/// The burns of the first mission, by what begins and ends a push and by what makes time faster or
+/// slower.
+fn fly_two_burns(desktop: &Desktop, push: impl Fn(bool), change_pace: impl Fn(bool)) {
+    push(true);
+    wait_for(desktop, "the lowest point comes down", |ship| {
+        ship.periapsis.is_some_and(|low| low < 6.1)
+    });
+    push(false);
+    for _ in 0..3 {
+        change_pace(true);
+    }
+    wait_for(desktop, "faster time", |ship| ship.pace == 8.0);
+    wait_for(desktop, "the lowest point", |ship| ship.pace == 1.0);
+    // A busy machine lets go some frames late: slower time makes them short.
+    for _ in 0..2 {
+        change_pace(false);
+    }
+    wait_for(desktop, "slower time", |ship| ship.pace == 0.25);
+    push(true);
+    wait_for(desktop, "the highest point comes down", |ship| {
+        ship.apoapsis.is_some_and(|high| high < 6.08)
+    });
+    push(false);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_first_mission_is_flown_by_keys_to_its_goal_and_the_result_is_kept() {
+    let mut desktop = begin();
+    // The key that closes the card pushes already.
+    let push = |on| {
+        if on {
+            desktop.hold("w");
+        } else {
+            desktop.let_go("w");
+        }
+    };
+    fly_two_burns(&desktop, push, |faster| {
+        desktop.press(if faster { "period" } else { "comma" });
+    });
+    let end = desktop.wait_for("success", |state| {
+        state
+            .ship
+            .as_ref()
+            .is_some_and(|ship| ship.mission[1] == "Success")
+            && state.shows("Reached: Two burns")
+    });
+    assert!(ship(&end).rapidity_used < 0.06, "{:?}", end.ship);
+    let results = desktop.settings().with_file_name("mission-results.csv");
+    let rows = std::fs::read_to_string(results).unwrap();
+    assert!(rows.contains("\ntwo-burns,reached,"), "{rows}");
+
+    // The list says what was reached, and a mission begins again with a full tank.
+    desktop.press("shift+j");
+    desktop.wait_for("the list with the result", |state| {
+        state.mentions("rapidity used 0.05")
+    });
+    desktop.press("Escape");
+    desktop.press("Escape");
+    desktop.press("Return");
+    wait_for(&desktop, "the start again", |ship| {
+        ship.rapidity_used == 0.0 && ship.mission[1] == "UnderWay(0)"
+    });
+    // The key leaves the ship, and Backspace the mission.
+    desktop.press("shift+f");
+    desktop.wait_for("no ship", |state| state.ship.is_none());
+    desktop.press("BackSpace");
+    desktop.wait_for("the first scene", |state| state.number("camera.r") == 20.0);
+    assert!(
+        desktop.running() && !desktop.stderr().contains("ERROR"),
+        "{}",
+        desktop.stderr()
+    );
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_mission_that_ends_in_the_hole_is_not_reached_and_says_a_hint() {
+    let desktop = begin();
+    desktop.hold("w");
+    // Nothing but the hole ends such a burn.
+    wait_for(&desktop, "the fall", |ship| ship.periapsis.is_none());
+    desktop.let_go("w");
+    for _ in 0..3 {
+        desktop.press("period");
+    }
+    let end = desktop.wait_for("the end", has_card);
+    assert_eq!(ship(&end).mission[1], "Ended(Limit(Inner))");
+    assert!(end.shows("Not reached: Two burns") && end.mentions("Hint: "));
+    let results = desktop.settings().with_file_name("mission-results.csv");
+    let rows = std::fs::read_to_string(results).unwrap();
+    assert!(rows.contains("\ntwo-burns,missed,0,1,"), "{rows}");
+    // Back to the start, since no goal was reached.
+    desktop.press("BackSpace");
+    wait_for(&desktop, "the start", |ship| {
+        ship.rapidity_used == 0.0 && ship.mission[1] == "UnderWay(0)"
+    });
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_first_mission_is_flown_by_a_gamepad() {
+    let desktop = begin();
+    desktop.order(&Order::Connect(true));
+    let push = |part, on| {
+        desktop.order(&Order::Push(part, if on { 1.0 } else { 0.0 }));
+    };
+    let press = |part| {
+        push(part, true);
+        desktop.later(3);
+        push(part, false);
+        desktop.later(3);
+    };
+    // A closes the card, and holds the orbit; B ends the hold.
+    press(Pad::South);
+    wait_for(&desktop, "A holds the orbit", |ship| {
+        ship.hold.starts_with("Orbit")
+    });
+    press(Pad::East);
+    wait_for(&desktop, "B lets go", |ship| {
+        ship.hold.is_empty() && ship.heading.is_empty()
+    });
+    press(Pad::North);
+    wait_for(&desktop, "Y turns the nose", |ship| {
+        ship.heading == "Retrograde"
+    });
+    // It follows what it has turned to.
+    desktop.later(20);
+    fly_two_burns(
+        &desktop,
+        |on| push(Pad::RightTrigger2, on),
+        |faster| {
+            press(if faster {
+                Pad::DPadRight
+            } else {
+                Pad::DPadLeft
+            });
+        },
+    );
+    wait_for(&desktop, "success", |ship| ship.mission[1] == "Success");
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_ship_is_held_paused_and_turned_by_keys_and_mouse_and_its_frames_are_pictures_of_presets() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    desktop.press("shift+f");
+    desktop.wait_for("the ship", |state| state.ship.is_some());
+    // O holds still instead of choosing another observer.
+    desktop.press("o");
+    wait_for(&desktop, "O", |ship| ship.hold.starts_with("Hover"));
+    desktop.later(20);
+    let held = desktop.state();
+    assert!((held.number("camera.r") - 20.0).abs() < 0.1);
+    assert!(ship(&held).acceleration > 0.0);
+    desktop.press("slash");
+    let paused = desktop.later(3);
+    desktop.press("Right");
+    let turned = desktop.later(5);
+    assert_eq!(ship(&paused).own_time, ship(&turned).own_time);
+    assert!(turned.number("camera.yaw_deg") != paused.number("camera.yaw_deg"));
+    desktop.press("slash");
+    desktop.press("k");
+    wait_for(&desktop, "K", |ship| ship.hold.starts_with("Orbit"));
+    desktop.press("f");
+    wait_for(&desktop, "F", |ship| {
+        ship.hold.is_empty() && ship.acceleration == 0.0
+    });
+    assert_eq!(desktop.state().scene["observer.kind"], "rain");
+    // A preset leaves the ship.
+    desktop.press("4");
+    desktop.wait_for("preset 4", |state| {
+        state.ship.is_none() && state.scene["name"] == "close"
+    });
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_question_of_a_mission_is_answered_after_its_goals_and_the_answer_is_kept() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    desktop.press("shift+j");
+    desktop.wait_for("the list", |state| {
+        state.menu && state.shows("The gyroscope")
+    });
+    for key in ["Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the mission with its card", |state| {
+        state.ship.is_some() && has_card(state)
+    });
+    for _ in 0..5 {
+        desktop.press("period");
+    }
+    desktop.wait_for("success", |state| state.shows("Reached: The gyroscope"));
+    desktop.press("Escape");
+    let has_question = |state: &State| state.boxes.iter().any(|(name, _)| name == "question");
+    desktop.wait_for("the question", has_question);
+    for key in ["8", "0", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("a wrong answer", |state| state.shows("It is not 80"));
+    desktop.click("80");
+    for key in ["BackSpace", "BackSpace", "7", "5", "period", "4", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the right answer", |state| state.shows("Right: it is 75.4"));
+    let results = desktop.settings().with_file_name("mission-results.csv");
+    let rows = std::fs::read_to_string(results).unwrap();
+    let last = rows.lines().last().unwrap();
+    assert!(
+        rows.lines().count() == 2
+            && last.starts_with("gyroscope,reached,3,")
+            && last.ends_with(",75.4"),
+        "{rows}"
+    );
+    desktop.click("Close");
+    desktop.wait_for("no question", |state| !has_question(state));
+}

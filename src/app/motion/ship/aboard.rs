@@ -1,0 +1,125 @@
+//! A ship with a pilot: what holds and turns it, and how fast its time passes.
+
+use super::flown::{Flown, Records};
+use super::nose::Nose;
+use super::pace::{Engine, own_time_rate};
+use super::ship_flight::HoldKind;
+use super::stick::Stick;
+use crate::app::motion::pose::{Pose, pose_of};
+use lightfall_core::geometry::ship::Ship;
+use lightfall_core::optics::ship::{Hold, Thrust};
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::mission::{Mission, Quantity};
+
+/// The thrust that is set at first, as a share of the engine's. Short burns do what an ideal transfer
+/// does.
+const FIRST_THRUST: f64 = 1.0;
+
+/// A ship with a pilot.
+#[derive(Clone, Debug)]
+pub(super) struct Aboard {
+    pub(super) flown: Flown,
+    /// The flight at the last goal, or at the start.
+    pub(super) checkpoint: Flown,
+    /// The flight at its start.
+    start: Flown,
+    /// Whether the flight has come to its end, so that its time stands still.
+    pub(super) has_ended: bool,
+    pub(super) records: Records,
+    /// Where the camera was left, by which the ship notices that something else moves it.
+    pub(super) last: Pose,
+    /// The thrust that is set, as a share of the engine's.
+    pub(super) thrust: f64,
+    /// How fast own time passes, as a multiple of the usual pace.
+    pub(super) pace: f64,
+    pub(super) hold: Option<Hold>,
+    pub(super) nose: Nose,
+    first_nose: Nose,
+    /// The hand's input in the last frame.
+    pub(super) stick: Stick,
+    /// The time of a turn of the clocks' dials, in r_s/c.
+    pub(super) dial: f64,
+}
+
+/// Where the nose points at the start of a mission. The autopilot keeps it there, unless the mission
+/// counts by how much the ship is turned.
+pub(super) fn first_nose(mission: &Mission) -> Nose {
+    let goals = mission.goals.iter().flat_map(|goal| &goal.all);
+    let fails = mission.fails.iter().flat_map(|fail| &fail.all);
+    let counts_turns = goals
+        .chain(fails)
+        .any(|condition| condition.quantity == Quantity::RotationUsedDeg);
+    let face = mission.start.face.into();
+    if counts_turns {
+        Nose::on(face)
+    } else {
+        Nose::following(face)
+    }
+}
+
+/// The hold of a kind at the ship's place.
+pub(super) fn hold_here(kind: HoldKind, ship: &Ship) -> Hold {
+    let place = ship.place();
+    match kind {
+        HoldKind::Orbit => Hold::Orbit(place.r),
+        HoldKind::Still if place.r <= place.kerr.static_limit(place.n.z) => Hold::Zamo(place.r),
+        HoldKind::Still => Hold::Hover(place.r),
+    }
+}
+
+impl Aboard {
+    /// A pilot who takes the controls of a ship in this scene.
+    pub(super) fn new(flown: Flown, scene: &Scene, nose: Nose) -> Self {
+        let time_scale = scene.camera.r.powf(1.5);
+        Self {
+            checkpoint: flown.clone(),
+            start: flown.clone(),
+            has_ended: false,
+            records: Records::of(flown.voyage()),
+            flown,
+            last: pose_of(scene),
+            thrust: FIRST_THRUST,
+            pace: 1.0,
+            hold: None,
+            first_nose: nose,
+            nose,
+            stick: Stick::NEUTRAL,
+            dial: 10f64.powf(time_scale.log10().floor()),
+        }
+    }
+
+    /// Goes back to the start.
+    pub(super) fn begin_again(&mut self) {
+        self.checkpoint = self.start.clone();
+        self.records = Records::of(self.start.voyage());
+        self.return_to(self.start.clone());
+        self.nose = self.first_nose;
+    }
+
+    /// Puts an earlier state of the flight in place.
+    pub(super) fn return_to(&mut self, flown: Flown) {
+        self.flown = flown;
+        self.engine_off();
+        (self.pace, self.has_ended) = (1.0, false);
+    }
+
+    pub(super) fn engine_off(&mut self) {
+        self.hold = None;
+        self.nose.release();
+    }
+
+    /// What the engine does.
+    pub(super) fn engine(&self) -> Engine {
+        match self.flown.voyage().flight.orders().thrust {
+            Thrust::Off => Engine::Off,
+            Thrust::Axes(_) | Thrust::Along(..) => Engine::Hand,
+            Thrust::Hold(..) => Engine::Hold,
+        }
+    }
+
+    pub(super) fn rate(&self) -> f64 {
+        let flight = &self.flown.voyage().flight;
+        let r = flight.ship.place().r;
+        own_time_rate(r, self.pace, self.engine(), &flight.rocket)
+    }
+}

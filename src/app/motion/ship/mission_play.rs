@@ -1,0 +1,212 @@
+//! A mission under way: its captions, its goals, and what is said and kept at its end.
+
+use super::score::{lamps, result, solution_time};
+use super::ship_flight::ShipFlight;
+use super::words;
+use crate::app::motion::facing::Facing;
+use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::state::end_card::EndCard;
+use crate::app::state::mission_results::MissionResult;
+use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
+use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::toast::reading_time;
+use bevy::prelude::*;
+use lightfall_core::numbers::with_short_numbers;
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::ship::{Attempt, Clocks, Outcome};
+use lightfall_core::scene::mission::{Hint, Mission};
+use lightfall_platform::worker::Follower;
+use std::time::Duration;
+
+/// What the window remembers of a mission besides the flight.
+#[derive(Resource, Default, Debug)]
+pub(crate) struct MissionPlay {
+    /// How many attempts have failed.
+    failed: u32,
+    /// Which captions were shown.
+    shown: Vec<bool>,
+    /// The caption that is shown, and since when.
+    caption: Option<(usize, Duration)>,
+    /// How many goals were reached when the window last looked.
+    reached: usize,
+    /// Whether the end of the attempt was told.
+    told: bool,
+}
+
+impl MissionPlay {
+    /// The caption that is shown, as a place in the mission's list.
+    pub(crate) fn caption(&self) -> Option<usize> {
+        self.caption.map(|(index, _)| index)
+    }
+
+    /// Begins another attempt.
+    pub(super) fn begin_again(&mut self) {
+        *self = Self {
+            failed: self.failed,
+            ..Self::default()
+        };
+    }
+
+    /// Chooses the caption: a new one whose conditions hold, once the last one can have been read.
+    fn choose_caption(&mut self, attempt: &Attempt, now: Duration) {
+        let captions = &attempt.mission.captions;
+        self.shown.resize(captions.len(), false);
+        let is_read = self.caption.is_none_or(|(index, since)| {
+            now.saturating_sub(since) > reading_time(&captions[index].text) / 2
+        });
+        if !is_read {
+            return;
+        }
+        let due = captions
+            .iter()
+            .zip(&self.shown)
+            .position(|(caption, shown)| !shown && attempt.voyage().meets(&caption.when));
+        if let Some(index) = due {
+            self.shown[index] = true;
+            self.caption = Some((index, now));
+        }
+    }
+}
+
+/// A thread that flies the solution of the mission under way, which may take a second.
+#[derive(Resource)]
+pub(super) struct SolutionTimes(Follower<Mission, Option<f64>>);
+
+impl Default for SolutionTimes {
+    fn default() -> Self {
+        Self(Follower::new(solution_time))
+    }
+}
+
+/// Begins missions.
+pub(super) fn start_missions(
+    mut starts: MessageReader<StartMission>,
+    mut ship: ResMut<ShipFlight>,
+    (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
+    (mut free_fall, mut player, mut facing): (
+        ResMut<FreeFall>,
+        ResMut<JourneyPlayer>,
+        ResMut<Facing>,
+    ),
+    (mut paused, mut end_card): (ResMut<Paused>, ResMut<EndCard>),
+    preferences: Res<Preferences>,
+    mut editor: SceneEditor,
+) {
+    for StartMission(mission) in starts.read() {
+        editor.depart(Some(mission.scene()));
+        if let Err(error) = ship.start(mission, &editor.drawn_scene()) {
+            editor.say(with_short_numbers(&format!("{}: {error}", mission.title)));
+            continue;
+        }
+        free_fall.stop();
+        player.stop();
+        facing.stop();
+        paused.0 = false;
+        *play = MissionPlay::default();
+        times.0.follow(Mission::clone(mission));
+        let units = preferences.settings.units();
+        end_card.tell(
+            &mission.title,
+            &words::brief(mission, units),
+            words::first_keys(mission),
+        );
+    }
+}
+
+/// Watches a mission: shows captions, and says when goals are reached and how it has ended.
+pub(super) fn watch_mission(
+    ship: Res<ShipFlight>,
+    (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
+    (mut missions, mut asked): (ResMut<Missions>, ResMut<AskedQuestion>),
+    (time, preferences): (Res<Time<Real>>, Res<Preferences>),
+    mut end_card: ResMut<EndCard>,
+    mut editor: SceneEditor,
+) {
+    let Some(attempt) = ship.attempt() else {
+        return;
+    };
+    // Captions come after the card with the task.
+    if !end_card.is_open() {
+        play.choose_caption(attempt, time.elapsed());
+    }
+    let reached = attempt.reached().len();
+    let is_over = !matches!(attempt.outcome(), Outcome::UnderWay(_));
+    if reached > play.reached && !is_over {
+        let goal = &attempt.mission.goals[reached - 1].text;
+        editor.say(format!("Reached: {goal}"));
+    }
+    play.reached = reached;
+    if !is_over {
+        play.told = false;
+        return;
+    }
+    if play.told {
+        return;
+    }
+    times.0.follow(attempt.mission.clone());
+    let Some(solution_time) = times.0.answer().copied() else {
+        return;
+    };
+    play.told = true;
+    play.caption = None;
+    let has_succeeded = attempt.outcome() == Outcome::Success;
+    if !has_succeeded {
+        play.failed += 1;
+    }
+    let lit = lamps(attempt, solution_time);
+    let attempts = play.failed + u32::from(has_succeeded);
+    let kept = result_row(&ship, attempt, lit, attempts);
+    let units = preferences.settings.units();
+    let hint = (!has_succeeded)
+        .then(|| due_hint(&attempt.mission.hints, play.failed))
+        .flatten();
+    let [title, text] = words::end(attempt, &kept, lit, hint, units);
+    if let Some(question) = attempt.mission.questions.first().filter(|_| has_succeeded) {
+        asked.ask(question.clone(), kept.clone());
+    }
+    if let Err(fault) = missions.results.add(kept) {
+        editor.say(fault);
+    }
+    end_card.tell(&title, &text, words::ways_on(has_succeeded));
+}
+
+/// The hint for so many failed attempts: the last one that is due.
+fn due_hint(hints: &[Hint], failed: u32) -> Option<&str> {
+    let due = hints.iter().filter(|hint| hint.after <= failed);
+    due.max_by_key(|hint| hint.after)
+        .map(|hint| hint.text.as_str())
+}
+
+/// What is kept of an attempt.
+fn result_row(
+    ship: &ShipFlight,
+    attempt: &Attempt,
+    lit: [bool; 3],
+    attempts: u32,
+) -> MissionResult {
+    let mission = &attempt.mission;
+    let flown = result(attempt);
+    let mass = HoleMass::of_suns(mission.hole.mass_suns);
+    let clocks = Clocks::new(&flown.flight.ship);
+    let records = ship.records();
+    let peak = |of: fn(&super::Records) -> f64| records.as_ref().map_or(0.0, of);
+    let par = mission.pars.first();
+    MissionResult {
+        mission: mission.name.clone(),
+        reached: lit[0],
+        lamps: lit.into_iter().filter(|lit| *lit).count(),
+        attempt: attempts,
+        own_time: clocks.own,
+        far_time: clocks.far,
+        rapidity_used: flown.flight.rocket.used(),
+        par: par.and_then(|par| Some((par.quantity, flown.quantity(par.quantity)?))),
+        peak_g: peak(|records| records.acceleration) * mass.gees(),
+        peak_tide: peak(|records| records.tide) * mass.gees() / mass.metres(),
+        lowest: peak(|records| records.lowest),
+        error: flown.flight.ship.error().stated(),
+        answer: None,
+    }
+}

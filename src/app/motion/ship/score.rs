@@ -1,0 +1,45 @@
+//! How good an attempt at a mission was, in physical quantities only.
+
+use lightfall_core::optics::ship::{Attempt, Outcome, Voyage, fly};
+use lightfall_core::scene::mission::{Better, Mission, Par};
+
+/// How near a par, and how near the time of the solution, a good flight comes.
+const NEAR: f64 = 1.1;
+
+/// The lamps that a mission lights: its goals are reached, its first par nearly, and the own time of its
+/// solution nearly. Without a par or a solution the goals light its lamp.
+#[must_use]
+pub fn lamps(attempt: &Attempt, solution_time: Option<f64>) -> [bool; 3] {
+    let reached = attempt.outcome() == Outcome::Success;
+    let flown = result(attempt);
+    let par = attempt.mission.pars.first();
+    let is_near = par.is_none_or(|par| is_near_par(par, flown));
+    let own_time = flown.flight.ship.proper_time();
+    let is_quick = solution_time.is_none_or(|time| own_time <= NEAR * time);
+    [reached, reached && is_near, reached && is_quick]
+}
+
+/// The flight at the moment of success or, without it, at its end.
+#[must_use]
+pub fn result(attempt: &Attempt) -> &Voyage {
+    attempt.success().unwrap_or(attempt.voyage())
+}
+
+fn is_near_par(par: &Par, flown: &Voyage) -> bool {
+    flown
+        .quantity(par.quantity)
+        .is_some_and(|value| match par.better {
+            Better::Less => value <= NEAR * par.value,
+            Better::More => value >= par.value / NEAR,
+        })
+}
+
+/// The own time in which a mission's solution reaches the goals. `None` if it does not, or if there is
+/// none.
+#[must_use]
+pub fn solution_time(mission: &Mission) -> Option<f64> {
+    let mut attempt = Attempt::new(mission).ok()?;
+    fly(&mut attempt, &mission.solution).ok()?;
+    let success = attempt.success()?;
+    Some(success.flight.ship.proper_time())
+}

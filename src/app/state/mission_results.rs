@@ -1,0 +1,199 @@
+//! What was reached in missions, as a file of comma-separated values: one row for each attempt that
+//! came to its end. A class can hand the file in.
+
+use lightfall_core::scene::mission::Quantity;
+use lightfall_platform::storage::{self, TextError};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// Largest size of the file, in bytes.
+const MAX_BYTES: u64 = 8 << 20;
+
+/// The columns.
+const HEADER: &str = "mission,outcome,lamps,attempt,own_time,far_time,rapidity_used,par_quantity,par_reached,peak_g,\
+                      peak_tide_g_per_metre,lowest_r,error,answer";
+
+/// An attempt that came to its end. Times are in r_s/c, radii in r_s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MissionResult {
+    /// The mission's name.
+    pub mission: String,
+    /// Whether all goals were reached.
+    pub reached: bool,
+    /// How many of the three lamps are lit.
+    pub lamps: usize,
+    /// Which attempt it was since the mission was begun.
+    pub attempt: u32,
+    /// The ship's own time.
+    pub own_time: f64,
+    /// The time far away; `None` inside the horizon.
+    pub far_time: Option<f64>,
+    /// The rapidity spent.
+    pub rapidity_used: f64,
+    /// The quantity of the mission's first par, and its value.
+    pub par: Option<(Quantity, f64)>,
+    /// The largest proper acceleration, in g.
+    pub peak_g: f64,
+    /// The largest tide, in g per metre.
+    pub peak_tide: f64,
+    /// The smallest radius.
+    pub lowest: f64,
+    /// The flight's stated error.
+    pub error: f64,
+    /// The answer to the mission's question.
+    pub answer: Option<f64>,
+}
+
+impl MissionResult {
+    /// The result as a row.
+    #[must_use]
+    pub fn row(&self) -> String {
+        let optional =
+            |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
+        let outcome = if self.reached { "reached" } else { "missed" };
+        [
+            self.mission.clone(),
+            outcome.into(),
+            self.lamps.to_string(),
+            self.attempt.to_string(),
+            self.own_time.to_string(),
+            optional(self.far_time),
+            self.rapidity_used.to_string(),
+            self.par
+                .map_or(String::new(), |(quantity, _)| quantity.word().into()),
+            optional(self.par.map(|(_, value)| value)),
+            self.peak_g.to_string(),
+            self.peak_tide.to_string(),
+            self.lowest.to_string(),
+            self.error.to_string(),
+            optional(self.answer),
+        ]
+        .join(",")
+    }
+
+    /// The result of a row. `None` if it is not one.
+    #[must_use]
+    pub fn read(row: &str) -> Option<Self> {
+        let cells: Vec<&str> = row.trim_end().split(',').collect();
+        let number = |index: usize| cells.get(index)?.parse::<f64>().ok();
+        let par = Quantity::from_word(cells.get(7)?).zip(number(8));
+        Some(Self {
+            mission: cells[0].into(),
+            reached: match cells[1] {
+                "reached" => true,
+                "missed" => false,
+                _ => return None,
+            },
+            lamps: cells[2].parse().ok()?,
+            attempt: cells[3].parse().ok()?,
+            own_time: number(4)?,
+            far_time: number(5),
+            rapidity_used: number(6)?,
+            par,
+            peak_g: number(9)?,
+            peak_tide: number(10)?,
+            lowest: number(11)?,
+            error: number(12)?,
+            answer: number(13),
+        })
+    }
+}
+
+/// All results, and the file that keeps them.
+#[derive(Clone, Debug, Default)]
+pub struct MissionResults {
+    rows: Vec<MissionResult>,
+    file: Option<PathBuf>,
+}
+
+impl MissionResults {
+    /// The results in a file. A file that does not exist has none, and rows that are no results are
+    /// passed over. `None` keeps nothing.
+    #[must_use]
+    pub fn load(file: Option<PathBuf>) -> Self {
+        let text = file
+            .as_deref()
+            .map(|file| storage::read_text(file, MAX_BYTES));
+        let rows = match &text {
+            Some(Ok(text)) => text.lines().filter_map(MissionResult::read).collect(),
+            _ => Vec::new(),
+        };
+        Self { rows, file }
+    }
+
+    /// The file, if there is one.
+    #[must_use]
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
+    }
+
+    /// The best result of a mission: the one with the most lamps, and among them the one with the least
+    /// rapidity. `None` if its goals were never reached.
+    #[must_use]
+    pub fn best(&self, mission: &str) -> Option<&MissionResult> {
+        let of_it = self
+            .rows
+            .iter()
+            .filter(|row| row.mission == mission && row.reached);
+        of_it.min_by(|a, b| {
+            let lamps = b.lamps.cmp(&a.lamps);
+            lamps.then(a.rapidity_used.total_cmp(&b.rapidity_used))
+        })
+    }
+
+    /// Adds a result, and writes it to the file.
+    ///
+    /// # Errors
+    /// The file cannot be read or written; one sentence names it.
+    pub fn add(&mut self, result: MissionResult) -> Result<(), String> {
+        self.rows.push(result);
+        self.write_last(1)
+    }
+
+    /// Replaces the last result.
+    ///
+    /// # Errors
+    /// As those of [`add`](Self::add).
+    pub fn correct_last(&mut self, result: MissionResult) -> Result<(), String> {
+        self.rows.pop();
+        let Some(file) = self.file.clone() else {
+            self.rows.push(result);
+            return Ok(());
+        };
+        let mut lines = existing_lines(&file)?;
+        lines.pop();
+        lines.push(result.row());
+        self.rows.push(result);
+        write_lines(&file, &lines)
+    }
+
+    /// Writes so many of the last results after what the file has: another window may have written, too.
+    fn write_last(&self, count: usize) -> Result<(), String> {
+        let Some(file) = &self.file else {
+            return Ok(());
+        };
+        let mut lines = existing_lines(file)?;
+        let new = &self.rows[self.rows.len() - count..];
+        lines.extend(new.iter().map(MissionResult::row));
+        write_lines(file, &lines)
+    }
+}
+
+/// The lines of the file, or the header of a new one.
+fn existing_lines(file: &Path) -> Result<Vec<String>, String> {
+    match storage::read_text(file, MAX_BYTES) {
+        Ok(text) => Ok(text.lines().map(str::to_owned).collect()),
+        Err(TextError::Empty) => Ok(vec![HEADER.into()]),
+        Err(TextError::Unreadable(error)) if error.kind() == ErrorKind::NotFound => {
+            Ok(vec![HEADER.into()])
+        }
+        Err(fault) => Err(format!("{}: {fault}", file.display())),
+    }
+}
+
+fn write_lines(file: &Path, lines: &[String]) -> Result<(), String> {
+    let text = lines.join("\n") + "\n";
+    storage::create_parent_folder(file)
+        .and_then(|()| storage::write_atomically(file, text.as_bytes()))
+        .map_err(|error| error.to_string())
+}

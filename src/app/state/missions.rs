@@ -1,0 +1,100 @@
+//! The missions that are offered, the built-in ones first, and what was reached in them.
+
+use super::mission_results::{MissionResult, MissionResults};
+use bevy::prelude::*;
+use lightfall_core::numbers::four_digits;
+use lightfall_core::scene::mission::{MISSIONS, Mission, Question, load};
+use lightfall_platform::storage::{
+    mission_results_file, missions_folder, preset_files, read_mission,
+};
+
+/// The missions, and the results so far.
+#[derive(Resource, Default)]
+pub(crate) struct Missions {
+    /// The missions, in the order of the list.
+    pub(crate) list: Vec<Mission>,
+    /// What was reached.
+    pub(crate) results: MissionResults,
+}
+
+/// The question of a mission whose goals were reached, until it is answered or closed.
+#[derive(Resource, Default)]
+pub(crate) struct AskedQuestion {
+    /// The question, and the result that the answer belongs to.
+    asked: Option<(Question, MissionResult)>,
+    /// What was typed.
+    pub(crate) typed: String,
+    /// What is said of the last answer.
+    pub(crate) said: String,
+}
+
+impl AskedQuestion {
+    /// Asks a question about the last result.
+    pub(crate) fn ask(&mut self, question: Question, result: MissionResult) {
+        *self = Self {
+            asked: Some((question, result)),
+            ..Self::default()
+        };
+    }
+
+    /// The question that is asked.
+    pub(crate) fn question(&self) -> Option<&str> {
+        let (question, _) = self.asked.as_ref()?;
+        Some(&question.text)
+    }
+
+    /// Closes the question.
+    pub(crate) fn close(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Takes what was typed as the answer, says whether it is right, and returns the result with it.
+    pub(crate) fn answer(&mut self) -> Option<MissionResult> {
+        let (question, result) = self.asked.as_mut()?;
+        let typed = self.typed.trim().replace(',', ".");
+        let Some(answer) = typed.parse().ok().filter(|answer: &f64| answer.is_finite()) else {
+            self.said = format!("{typed:?} is not a number");
+            return None;
+        };
+        result.answer = Some(answer);
+        let right = four_digits(question.answer);
+        self.said = if (answer - question.answer).abs() <= question.tolerance {
+            format!("Right: it is {right}")
+        } else {
+            format!("It is not {typed}")
+        };
+        Some(result.clone())
+    }
+}
+
+/// Begin this mission.
+#[derive(Message, Clone, Debug)]
+pub(crate) struct StartMission(pub(crate) Box<Mission>);
+
+impl Missions {
+    /// Reads the missions and the results. Returns what is wrong with the user's own ones.
+    pub(crate) fn read(&mut self) -> Vec<String> {
+        let built_in = MISSIONS
+            .iter()
+            .map(|(name, text)| load(name, text).map_err(|fault| fault.to_string()));
+        let files = missions_folder().map_or_else(Vec::new, |folder| preset_files(&folder));
+        let own = files.iter().map(|file| match read_mission(file) {
+            Ok(Some(mission)) => Ok(mission),
+            Ok(None) => Err(format!("{}: has no table [[goal]]", file.display())),
+            Err(fault) => Err(fault.to_string()),
+        });
+        let mut faults = Vec::new();
+        self.list = built_in
+            .chain(own)
+            .filter_map(|mission| mission.map_err(|fault| faults.push(fault)).ok())
+            .collect();
+        self.results = MissionResults::load(mission_results_file());
+        faults
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Missions>()
+        .init_resource::<AskedQuestion>()
+        .add_message::<StartMission>();
+}

@@ -1,0 +1,94 @@
+//! Shows a mission under way: its goals in the upper left corner, and its captions at the bottom.
+
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::table::control_named;
+use crate::app::motion::ship::{MissionPlay, ShipFlight};
+use crate::app::state::end_card::EndCard;
+use crate::app::state::preferences::Preferences;
+use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT, WARNING};
+use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::screen::Screen;
+use bevy::prelude::*;
+use bevy_egui::egui::{self, Align2};
+use lightfall_core::numbers::{four_digits, steady_digits};
+use lightfall_core::optics::readout::units::Units;
+use lightfall_core::optics::ship::{Attempt, Outcome};
+
+/// Size of captions, in points.
+const CAPTION: f32 = 18.0;
+/// Largest width of captions and of goals, in points.
+const MAX_CAPTION: f32 = 620.0;
+const MAX_GOALS: f32 = 430.0;
+/// Room for the message below a caption, in points.
+const TOAST: f32 = 44.0;
+
+pub(in crate::app::ui::hud) fn show_mission(
+    mut screen: Screen,
+    ship: Res<ShipFlight>,
+    play: Res<MissionPlay>,
+    end_card: Res<EndCard>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
+) {
+    let Some(attempt) = ship.attempt() else {
+        return;
+    };
+    let Some((context, layout)) = screen.texts() else {
+        return;
+    };
+    show_goals(context, layout, attempt, preferences.settings.units());
+    let captions = &attempt.mission.captions;
+    let caption = play.caption().and_then(|index| captions.get(index));
+    if let Some(caption) = caption.filter(|_| !end_card.is_open()) {
+        let words = with_keys(&caption.text, &bindings);
+        let board = Board::new(context, "caption", 1.0);
+        let wish = layout.above_read_outs(TOAST);
+        board.paint_text(layout, wish, (&words, CAPTION, BRIGHT), MAX_CAPTION);
+    }
+}
+
+fn show_goals(context: &egui::Context, layout: &mut Layout, attempt: &Attempt, units: Units) {
+    let mission = &attempt.mission;
+    let mut board = Board::new(context, "mission", 1.0);
+    let width = MAX_GOALS.min(layout.bounds().width());
+    board.add_line(board.text(&mission.title, TEXT, WARNING, width), 0.0);
+    let reached = attempt.reached().len();
+    for (index, goal) in mission.goals.iter().enumerate() {
+        let is_next = index == reached && matches!(attempt.outcome(), Outcome::UnderWay(_));
+        let sign = if index < reached { "●" } else { "○" };
+        let held = match attempt.held_since().filter(|_| is_next && goal.hold > 0.0) {
+            Some(since) => {
+                let now = attempt.voyage().flight.ship.proper_time();
+                let [held, all] = [
+                    units.time(now - since, steady_digits),
+                    units.time(goal.hold, four_digits),
+                ];
+                format!(" · {held} of {all}")
+            }
+            None => String::new(),
+        };
+        let colour = if is_next { BRIGHT } else { QUIET };
+        let words = format!("{sign} {}{held}", goal.text);
+        board.add_line(board.text(&words, TEXT, colour, width), 3.0);
+    }
+    board.paint(layout, layout.at(Align2::LEFT_TOP, Slide::Upright));
+}
+
+/// A text in which the name of a control in braces, such as `{fly.forward}`, stands for its key.
+fn with_keys(text: &str, bindings: &Bindings) -> String {
+    let mut words = String::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('{') {
+        words.push_str(before);
+        match after.split_once('}') {
+            Some((id, after)) if control_named(id).is_some() => {
+                words.push_str(&bindings.first_label(id));
+                rest = after;
+            }
+            _ => {
+                words.push('{');
+                rest = after;
+            }
+        }
+    }
+    words + rest
+}
