@@ -38,6 +38,8 @@ const BEHIND: f32 = 0.2;
 const TEXT_SIZE: f32 = 14.0;
 const BRIGHT: Color32 = Color32::from_gray(235);
 const DARK: Color32 = Color32::from_black_alpha(215);
+/// Number of steps from the edge to the middle in which the arrow looks for room.
+const INWARD_STEPS: usize = 40;
 /// Room around the label's text, in points.
 const PADDING: Vec2 = egui::vec2(8.0, 4.0);
 
@@ -95,11 +97,16 @@ fn draw_arrow(painter: &egui::Painter, layout: &mut Layout, target: DVec3, name:
         aside.normalized()
     };
     let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
-    let tip = free.center() + toward * axes;
-    layout.take(
-        "arrow",
-        Rect::from_center_size(tip, Vec2::splat(2.0 * ARROW)),
-    );
+    // As far out as nothing else is in the way.
+    let box_at = |tip| Rect::from_center_size(tip, Vec2::splat(2.0 * ARROW));
+    let tips = (0..=INWARD_STEPS).map(|step| {
+        let share = 1.0 - step as f32 / INWARD_STEPS as f32;
+        free.center() + share * toward * axes
+    });
+    let Some(tip) = tips.into_iter().find(|tip| layout.is_free(box_at(*tip))) else {
+        return;
+    };
+    layout.take("arrow", box_at(tip));
     let back = -toward * ARROW;
     let side = toward.rot90() * ARROW;
     for stroke in [Stroke::new(6.0, DARK), Stroke::new(2.0, BRIGHT)] {

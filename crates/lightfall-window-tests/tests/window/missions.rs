@@ -43,7 +43,7 @@ fn begin() -> Desktop {
 fn fly_two_burns(desktop: &Desktop, push: impl Fn(bool), change_pace: impl Fn(bool)) {
     push(true);
     wait_for(desktop, "the lowest point comes down", |ship| {
-        ship.periapsis.is_some_and(|low| low < 6.1)
+        ship.periapsis.is_some_and(|low| low < 6.05)
     });
     push(false);
     for _ in 0..3 {
@@ -58,7 +58,7 @@ fn fly_two_burns(desktop: &Desktop, push: impl Fn(bool), change_pace: impl Fn(bo
     wait_for(desktop, "slower time", |ship| ship.pace == 0.25);
     push(true);
     wait_for(desktop, "the highest point comes down", |ship| {
-        ship.apoapsis.is_some_and(|high| high < 6.08)
+        ship.apoapsis.is_some_and(|high| high < 6.1)
     });
     push(false);
 }

@@ -17,6 +17,7 @@ use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::three_digits;
 use lightfall_core::optics::readout::units::Units;
 use std::f64::consts::TAU;
+use std::time::Duration;
 
 /// Widths in which the map is tried, in points.
 const WIDTHS: [f32; 2] = [230.0, 150.0];
@@ -29,6 +30,8 @@ const WORDS: f32 = 12.0;
 const PADDING: f32 = 8.0;
 /// How much larger the map is than the path.
 const ROOM: f64 = 1.12;
+/// How long a path is drawn before it is computed again, which takes half a millisecond.
+const PATH_AGE: Duration = Duration::from_millis(100);
 /// Number of sides of a circle.
 const SIDES: usize = 72;
 
@@ -79,6 +82,8 @@ pub(in crate::app::ui::hud) fn show_map(
     ship: Res<ShipFlight>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
+    time: Res<Time<Real>>,
+    mut known: Local<Option<(Duration, Vec<DVec3>)>>,
 ) {
     let Some(voyage) = ship.voyage().filter(|_| !overlays.hides_map) else {
         return;
@@ -94,19 +99,31 @@ pub(in crate::app::ui::hud) fn show_map(
     let Some(place) = placed else {
         return;
     };
+    let ship = &voyage.flight.ship;
+    let now = time.elapsed();
+    if known
+        .as_ref()
+        .is_none_or(|(since, _)| now.saturating_sub(*since) > PATH_AGE)
+    {
+        *known = Some((now, path_ahead(ship)));
+    }
+    let Some((_, path)) = &*known else {
+        return;
+    };
     let layer = LayerId::new(Order::Background, "map".into());
     let painter = context.layer_painter(layer);
     painter.rect_filled(place, 5.0, BOX);
     draw(
         &painter,
         place.shrink(PADDING),
-        &voyage.flight.ship,
+        (ship, path),
         preferences.settings.units(),
     );
 }
 
-fn draw(painter: &Painter, inside: Rect, ship: &Ship, units: Units) {
-    let path = path_ahead(ship);
+fn draw(painter: &Painter, inside: Rect, (ship, path): (&Ship, &[DVec3]), units: Units) {
+    let place = ship.place();
+    let now = place.r * place.n;
     let farthest = path.iter().map(|place| place.length()).fold(1.5, f64::max);
     let width = inside.width();
     let scale = 0.5 * width / (ROOM * farthest) as f32;
@@ -127,7 +144,7 @@ fn draw(painter: &Painter, inside: Rect, ship: &Ship, units: Units) {
         "from the side",
         QUIET,
     );
-    let out = path[0].with_z(0.0).try_normalize().unwrap_or(DVec3::X);
+    let out = now.with_z(0.0).try_normalize().unwrap_or(DVec3::X);
     let views = [
         (above, [DVec3::X, DVec3::Y]),
         // From the side the ship is at the right.
@@ -143,7 +160,7 @@ fn draw(painter: &Painter, inside: Rect, ship: &Ship, units: Units) {
         };
         draw_hole(&view, ship.kerr());
         view.line(path.iter().copied(), ACCENT, 1.6);
-        draw_ship(&view, &path);
+        draw_ship(&view, now, path);
     }
     draw_key(painter, side.left_bottom() + vec2(0.0, 2.0), ship.kerr());
 }
@@ -166,7 +183,7 @@ fn draw_hole(view: &View, kerr: Kerr) {
 }
 
 /// The ship, with a line along its way, and the lowest point of the path.
-fn draw_ship(view: &View, path: &[DVec3]) {
+fn draw_ship(view: &View, place: DVec3, path: &[DVec3]) {
     let lowest = path
         .iter()
         .min_by(|a, b| a.length().total_cmp(&b.length()))
@@ -175,9 +192,9 @@ fn draw_ship(view: &View, path: &[DVec3]) {
         view.painter
             .circle_stroke(view.at(lowest), 3.0, Stroke::new(1.4, ACCENT));
     }
-    let now = view.at(path[0]);
-    if let Some(next) = path.get(1) {
-        let way = (view.at(*next) - now).normalized();
+    let now = view.at(place);
+    if let [first, second, ..] = path {
+        let way = (view.at(*second) - view.at(*first)).normalized();
         if way.is_finite() {
             view.painter
                 .line_segment([now, now + 10.0 * way], Stroke::new(2.0, BRIGHT));
