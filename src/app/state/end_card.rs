@@ -31,13 +31,13 @@ impl EndCard {
         };
     }
 
-    /// Shows a card with these ways alone.
-    pub(crate) fn tell(&mut self, title: &str, text: &str, ways: Vec<Way>) {
-        *self = Self {
+    /// A card with these ways alone.
+    pub(crate) fn new(title: &str, text: &str, ways: Vec<Way>) -> Self {
+        Self {
             title: title.into(),
             text: text.into(),
             ways,
-        };
+        }
     }
 
     pub(crate) fn close(&mut self) {

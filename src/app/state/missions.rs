@@ -1,5 +1,6 @@
 //! The missions that are offered, the built-in ones first, and what was reached in them.
 
+use super::end_card::EndCard;
 use super::mission_results::{MissionResult, MissionResults};
 use bevy::prelude::*;
 use lightfall_core::numbers::four_digits;
@@ -26,13 +27,16 @@ pub(crate) struct AskedQuestion {
     pub(crate) typed: String,
     /// What is said of the last answer.
     pub(crate) said: String,
+    /// The card that tells the end of the mission, and with it the answer.
+    card: EndCard,
 }
 
 impl AskedQuestion {
-    /// Asks a question about the last result.
-    pub(crate) fn ask(&mut self, question: Question, result: MissionResult) {
+    /// Asks a question about the last result. The card waits until it is closed.
+    pub(crate) fn ask(&mut self, question: Question, result: MissionResult, card: EndCard) {
         *self = Self {
             asked: Some((question, result)),
+            card,
             ..Self::default()
         };
     }
@@ -43,9 +47,9 @@ impl AskedQuestion {
         Some(&question.text)
     }
 
-    /// Closes the question.
-    pub(crate) fn close(&mut self) {
-        *self = Self::default();
+    /// Closes the question. Returns the card that waited.
+    pub(crate) fn close(&mut self) -> EndCard {
+        std::mem::take(self).card
     }
 
     /// Takes what was typed as the answer, says whether it is right, and returns the result with it.

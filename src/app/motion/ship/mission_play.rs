@@ -108,7 +108,7 @@ pub(super) fn start_missions(
         *play = MissionPlay::default();
         times.0.follow(Mission::clone(mission));
         let units = preferences.settings.units();
-        end_card.tell(
+        *end_card = EndCard::new(
             &mission.title,
             &words::brief(mission, units),
             words::first_keys(mission),
@@ -164,13 +164,15 @@ pub(super) fn watch_mission(
         .then(|| due_hint(&attempt.mission.hints, play.failed))
         .flatten();
     let [title, text] = words::end(attempt, &kept, lit, hint, units);
-    if let Some(question) = attempt.mission.questions.first().filter(|_| has_succeeded) {
-        asked.ask(question.clone(), kept.clone());
-    }
-    if let Err(fault) = missions.results.add(kept) {
+    if let Err(fault) = missions.results.add(kept.clone()) {
         editor.say(fault);
     }
-    end_card.tell(&title, &text, words::ways_on(has_succeeded));
+    let card = EndCard::new(&title, &text, words::ways_on(has_succeeded));
+    let question = attempt.mission.questions.first();
+    match question.filter(|_| has_succeeded) {
+        Some(question) => asked.ask(question.clone(), kept, card),
+        None => *end_card = card,
+    }
 }
 
 /// The hint for so many failed attempts: the last one that is due.

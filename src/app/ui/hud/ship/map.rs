@@ -126,7 +126,10 @@ fn draw(painter: &Painter, inside: Rect, (ship, path): (&Ship, &[DVec3]), units:
     let now = place.r * place.n;
     let farthest = path.iter().map(|place| place.length()).fold(1.5, f64::max);
     let width = inside.width();
-    let scale = 0.5 * width / (ROOM * farthest) as f32;
+    let highest = path.iter().map(|place| place.z.abs()).fold(0.0, f64::max);
+    // One scale for both views.
+    let largest = farthest.max(highest / f64::from(SIDE));
+    let scale = 0.5 * width / (ROOM * largest) as f32;
     let words = |at: Pos2, anchor, text: &str, colour| {
         painter.text(at, anchor, text, FontId::proportional(WORDS), colour);
     };

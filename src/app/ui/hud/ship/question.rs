@@ -1,4 +1,4 @@
-//! Asks the question of a mission after its goals were reached.
+//! Asks the question of a mission after its goals were reached, before the card that tells the answer.
 
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::end_card::EndCard;
@@ -19,7 +19,7 @@ const FIRST_SIZE: egui::Vec2 = egui::vec2(MAX_WIDTH, 120.0);
 
 pub(in crate::app::ui::hud) fn show_question(
     mut screen: Screen,
-    (ship, end_card): (Res<ShipFlight>, Res<EndCard>),
+    (ship, mut end_card): (Res<ShipFlight>, ResMut<EndCard>),
     mut asked: ResMut<AskedQuestion>,
     mut missions: ResMut<Missions>,
     mut toast: ResMut<Toast>,
@@ -67,7 +67,7 @@ pub(in crate::app::ui::hud) fn show_question(
             });
         });
     if closes {
-        asked.close();
+        *end_card = asked.close();
     } else if answers
         && let Some(result) = asked.answer()
         && let Err(fault) = missions.results.correct_last(result)
