@@ -23,13 +23,14 @@ fn the_list_of_places_has_every_preset_and_leads_back_to_its_own_entry() {
     let mut menu = Menu::default();
     menu.open();
     menu.show_places();
-    assert!(menu.shows_places());
+    assert_eq!(menu.list(), MenuList::Places);
     assert_eq!(menu.entries().len(), PRESETS.len() + 1);
     assert_eq!(menu.selected(), MenuEntry::Place(0));
     menu.step(-1);
     assert_eq!(menu.selected(), MenuEntry::Back);
     menu.go_back();
-    assert!(menu.is_open() && !menu.shows_places());
+    assert!(menu.is_open());
+    assert_eq!(menu.list(), MenuList::Main);
     assert_eq!(menu.selected(), MenuEntry::Places);
     menu.go_back();
     assert!(!menu.is_open());

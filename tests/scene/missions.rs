@@ -213,3 +213,30 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     assert_eq!(read.best("graze"), Some(&rows[3]));
     assert_eq!(read.best("penrose"), None);
 }
+
+#[test]
+fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("results.csv");
+    let mut results = MissionResults::load(Some(file.clone()));
+    let first = result("graze", true, 2, 1.2);
+    results.add(first.clone()).unwrap();
+    // Another window writes a row.
+    let other = result("sample", true, 3, 0.7);
+    let mut other_window = MissionResults::load(Some(file.clone()));
+    other_window.add(other.clone()).unwrap();
+    let answered = MissionResult {
+        answer: Some(42.0),
+        ..first
+    };
+    results.correct_last(answered.clone()).unwrap();
+    let lines = || -> Vec<String> {
+        let text = std::fs::read_to_string(&file).unwrap();
+        text.lines().skip(1).map(str::to_owned).collect()
+    };
+    assert_eq!(lines(), [answered.row(), other.row()]);
+    // A file that is gone is begun again, with its header.
+    std::fs::remove_file(&file).unwrap();
+    results.correct_last(answered.clone()).unwrap();
+    assert_eq!(lines(), [answered.row()]);
+}

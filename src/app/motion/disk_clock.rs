@@ -3,8 +3,8 @@
 //!
 //! `disk.time` is the time at the camera, so the clock depends on how the camera moves:
 //!
-//! * An observer that falls or orbits, or flies a ship, has clocks of its own. Its worldline says how much coordinate
-//!   time goes by, and the fall sets the clock. Where a fall has come to its end, the clock stands:
+//! * An observer that falls or orbits, or flies a ship, has clocks of its own. Its worldline says how
+//!   much coordinate time goes by, and the fall or the ship sets the clock. Where a fall has come to its end, the clock stands:
 //!   there is no time left in which anything could be seen.
 //! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The

@@ -1,5 +1,6 @@
 //! Motion of the camera (by hand, by the guided journey, in free fall, on a ship) and of the disk.
 
+mod camera_motions;
 pub(crate) mod crossing;
 pub(crate) mod disk_clock;
 pub(crate) mod edge_view;

@@ -67,12 +67,6 @@ impl Menu {
         self.open
     }
 
-    /// Whether the list of places is shown.
-    #[must_use]
-    pub fn shows_places(&self) -> bool {
-        self.list == MenuList::Places
-    }
-
     /// The list that is shown.
     #[must_use]
     pub fn list(&self) -> MenuList {

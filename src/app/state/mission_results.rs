@@ -141,41 +141,44 @@ impl MissionResults {
         })
     }
 
-    /// Adds a result, and writes it to the file.
+    /// Adds a result, also to the file.
     ///
     /// # Errors
     /// The file cannot be read or written; one sentence names it.
     pub fn add(&mut self, result: MissionResult) -> Result<(), String> {
+        let row = result.row();
         self.rows.push(result);
-        self.write_last(1)
+        self.rewrite(|lines| lines.push(row))
     }
 
-    /// Replaces the last result.
+    /// Replaces the last result, also in the file.
     ///
     /// # Errors
     /// As those of [`add`](Self::add).
     pub fn correct_last(&mut self, result: MissionResult) -> Result<(), String> {
-        self.rows.pop();
-        let Some(file) = self.file.clone() else {
-            self.rows.push(result);
-            return Ok(());
-        };
-        let mut lines = existing_lines(&file)?;
-        lines.pop();
-        lines.push(result.row());
+        let row = result.row();
+        let old = self.rows.pop().map(|old| old.row());
         self.rows.push(result);
-        write_lines(&file, &lines)
+        self.rewrite(|lines| {
+            // Another window may have written since, or someone may have moved the file.
+            match lines.iter().rposition(|line| Some(line) == old.as_ref()) {
+                Some(index) => lines[index] = row,
+                None => lines.push(row),
+            }
+        })
     }
 
-    /// Writes so many of the last results after what the file has: another window may have written, too.
-    fn write_last(&self, count: usize) -> Result<(), String> {
+    /// Changes the lines of the file, if there is one.
+    fn rewrite(&self, change: impl FnOnce(&mut Vec<String>)) -> Result<(), String> {
         let Some(file) = &self.file else {
             return Ok(());
         };
         let mut lines = existing_lines(file)?;
-        let new = &self.rows[self.rows.len() - count..];
-        lines.extend(new.iter().map(MissionResult::row));
-        write_lines(file, &lines)
+        change(&mut lines);
+        let text = lines.join("\n") + "\n";
+        storage::create_parent_folder(file)
+            .and_then(|()| storage::write_atomically(file, text.as_bytes()))
+            .map_err(|error| error.to_string())
     }
 }
 
@@ -189,11 +192,4 @@ fn existing_lines(file: &Path) -> Result<Vec<String>, String> {
         }
         Err(fault) => Err(format!("{}: {fault}", file.display())),
     }
-}
-
-fn write_lines(file: &Path, lines: &[String]) -> Result<(), String> {
-    let text = lines.join("\n") + "\n";
-    storage::create_parent_folder(file)
-        .and_then(|()| storage::write_atomically(file, text.as_bytes()))
-        .map_err(|error| error.to_string())
 }

@@ -57,6 +57,13 @@ pub fn find(number_or_name: &str) -> Option<&'static Preset> {
         .find(|preset| preset.name == number_or_name || preset.number.to_string() == number_or_name)
 }
 
+/// The numbers and names of all presets, for messages.
+pub fn numbered_names() -> String {
+    PRESETS
+        .map(|preset| format!("{} {}", preset.number, preset.name))
+        .join(", ")
+}
+
 /// The scenes of all presets, read once.
 static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
     let scenes = PRESETS.iter().map(|preset| preset.load(&[]));

@@ -241,9 +241,6 @@ fn preset_hint(given: &str) -> String {
         .collect();
     match nearest_name(given, &names) {
         Some(name) => format!("did you mean {name}?"),
-        None => {
-            let all = presets::PRESETS.map(|preset| format!("{} {}", preset.number, preset.name));
-            format!("the presets are {}", all.join(", "))
-        }
+        None => format!("the presets are {}", presets::numbered_names()),
     }
 }

@@ -8,11 +8,9 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::helm::ShipCommand;
 use crate::app::controls::refusal::no_observer;
-use crate::app::motion::facing::Facing;
+use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::motion::flight_step::FlightStep;
-use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::hand::HandInputs;
-use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::pilot::Pilot;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::helm::Helm;
@@ -30,12 +28,8 @@ pub(super) fn take_controls(
     mut commands: MessageReader<AppCommand>,
     mut ship: ResMut<ShipFlight>,
     mut helm: ResMut<Helm>,
-    (mut free_fall, mut player, mut facing): (
-        ResMut<FreeFall>,
-        ResMut<JourneyPlayer>,
-        ResMut<Facing>,
-    ),
-    (mut paused, mut end_card): (ResMut<Paused>, ResMut<EndCard>),
+    mut camera: CameraMotions,
+    mut end_card: ResMut<EndCard>,
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut editor: SceneEditor,
 ) {
@@ -50,11 +44,8 @@ pub(super) fn take_controls(
                 let scene = editor.drawn_scene();
                 match ship.board(&scene, preferences.settings.mass()) {
                     Ok(()) => {
-                        free_fall.stop();
-                        player.stop();
-                        facing.stop();
+                        camera.end();
                         end_card.close();
-                        paused.0 = false;
                         editor.note_departure();
                         editor.say(words::boarded(&bindings));
                     }

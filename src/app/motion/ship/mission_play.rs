@@ -3,13 +3,10 @@
 use super::score::{lamps, result, solution_time};
 use super::ship_flight::ShipFlight;
 use super::words;
-use crate::app::motion::facing::Facing;
-use crate::app::motion::free_fall::FreeFall;
-use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::mission_results::MissionResult;
 use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
-use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::reading_time;
@@ -86,12 +83,8 @@ pub(super) fn start_missions(
     mut starts: MessageReader<StartMission>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
-    (mut free_fall, mut player, mut facing): (
-        ResMut<FreeFall>,
-        ResMut<JourneyPlayer>,
-        ResMut<Facing>,
-    ),
-    (mut paused, mut end_card): (ResMut<Paused>, ResMut<EndCard>),
+    mut camera: CameraMotions,
+    mut end_card: ResMut<EndCard>,
     preferences: Res<Preferences>,
     mut editor: SceneEditor,
 ) {
@@ -101,10 +94,7 @@ pub(super) fn start_missions(
             editor.say(with_short_numbers(&format!("{}: {error}", mission.title)));
             continue;
         }
-        free_fall.stop();
-        player.stop();
-        facing.stop();
-        paused.0 = false;
+        camera.end();
         *play = MissionPlay::default();
         times.0.follow(Mission::clone(mission));
         let units = preferences.settings.units();

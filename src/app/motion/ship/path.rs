@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::MASS;
 use lightfall_core::geometry::ship::Ship;
+use lightfall_core::geometry::timelike::ParticleState;
 
 /// Largest number of points of the path, and the angle of the motion between two of them: two turns.
 const MAX_POINTS: usize = 256;
@@ -20,9 +21,7 @@ pub fn path_ahead(ship: &Ship) -> Vec<DVec3> {
     let mut geodesic = ship.geodesic();
     let start = ship.place();
     // The azimuth of the geodesic begins where the ship's is.
-    let place_of = |state: &lightfall_core::geometry::timelike::ParticleState| {
-        DMat3::from_rotation_z(state.chi) * state.n / state.u
-    };
+    let place_of = |state: &ParticleState| DMat3::from_rotation_z(state.chi) * state.n / state.u;
     let farthest = FARTHEST * start.r.max(LEAST_RADIUS);
     let mut points = vec![start.r * start.n];
     while points.len() < MAX_POINTS {

@@ -2,7 +2,7 @@
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, NAMES};
 use crate::scene::error::SceneFault;
-use crate::scene::presets::PRESETS;
+use crate::scene::presets::numbered_names;
 use thiserror::Error;
 
 /// Why a text is not a journey.
@@ -37,7 +37,7 @@ pub enum Fault {
     /// A preset that is not one of the built-in ones.
     #[error(
         "preset = {given} is refused: it must be the name or the number of a built-in preset: {}",
-        preset_names()
+        numbered_names()
     )]
     Preset { given: String },
     /// Too few or too many keyframes.
@@ -67,12 +67,6 @@ pub enum Fault {
         given: String,
         allowed: String,
     },
-}
-
-fn preset_names() -> String {
-    PRESETS
-        .map(|preset| format!("{} {}", preset.number, preset.name))
-        .join(", ")
 }
 
 fn names() -> String {

@@ -1,7 +1,7 @@
 //! What can be wrong with the text of a mission, each in one sentence.
 
 use crate::scene::error::{SceneError, SceneFault};
-use crate::scene::presets::PRESETS;
+use crate::scene::presets::numbered_names;
 use thiserror::Error;
 
 /// Why a text is not a mission.
@@ -23,7 +23,7 @@ pub enum Fault {
     /// A preset that is not one of the built-in ones.
     #[error(
         "preset = {given:?} is refused: it must be the name or the number of a built-in preset: {}",
-        PRESETS.map(|preset| format!("{} {}", preset.number, preset.name)).join(", ")
+        numbered_names()
     )]
     Preset { given: String },
     /// The start is not a scene.
