@@ -95,7 +95,7 @@ fn add_disk(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Ph
             longest = 0.5 * (end - start);
             continue;
         }
-        if (*result).transmission < MIN_TRANSMISSION || end >= span.y {
+        if hides(*result) || end >= span.y {
             return;
         }
         longest = min(2.0 * longest, 1.0);

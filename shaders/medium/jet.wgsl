@@ -7,10 +7,14 @@ struct Jet {
     // kappa of the streamlines psi = r^kappa (1 - |cos theta|), and one over psi of the outermost one.
     kappa: f32,
     inverse_width: f32,
-    // Where the sheath is, one over its thickness, and the brightness of the axis.
+    // Where the sheath is, and one over its thickness.
     sheath: f32,
     inverse_sheath_width: f32,
+    // The brightness of the axis, and one over the square of the spine's radius.
     spine: f32,
+    inverse_spine_width2: f32,
+    // The power of the stream with which the light falls to nothing at the edge.
+    rim: f32,
     // Velocity times Lorentz factor far out, the radius at which it is half of this, and the one at
     // which the matter is at rest.
     speed: f32,
@@ -40,8 +44,6 @@ struct Jet {
 
 @group(0) @binding(BINDING_JET) var<storage, read> jet: Jet;
 
-// The radius of the spine, as a share of the jet's.
-const SPINE_WIDTH: f32 = 0.25;
 // The radius of a jet beyond which the matter swirls less.
 const SWIRL_RADIUS: f32 = 2.0;
 
@@ -73,13 +75,12 @@ fn jet_fade(share: f32) -> f32 {
 // The brightness of the sheath at the place `in_sheath`, and of the spine.
 fn jet_across(in_sheath: f32, stream: f32) -> f32 {
     let off = (in_sheath - jet.sheath) * jet.inverse_sheath_width;
-    return exp(-off * off) + jet.spine * exp(-stream / (SPINE_WIDTH * SPINE_WIDTH));
+    return exp(-off * off) + jet.spine * exp(-stream * jet.inverse_spine_width2);
 }
 
 // Emission of the smooth jets for each r_s of the way in the matter's frame.
 fn jet_emission(r: f32, stream: f32) -> f32 {
-    let stream2 = stream * stream;
-    let rim = max(1.0 - stream2 * stream2, 0.0);
+    let rim = max(1.0 - exp2(jet.rim * log2(max(stream, TINY))), 0.0);
     let across = jet_across(sqrt(stream), stream) * rim * rim;
     let ends = jet_fade(r / jet.base - 1.0) * jet_fade((jet.length - r) / jet.fade);
     return across * ends * exp2(-jet.decay * log2(jet_radius(r)));

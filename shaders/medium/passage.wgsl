@@ -2,7 +2,13 @@
 // scene's matter adds its part of each step: medium/matter has a file for each kind of scene.
 // optics/medium has the equations, and the twin in f64.
 //
-// Gives: Passage, Way, passage.
+// Gives: Passage, Way, hides, passage.
+
+// A ray ends when the brightest light behind would add less than this share of the light in front: where the
+// front is dark, a bright ring still shows through it.
+const HIDDEN_SHARE: f32 = 0.05;
+// The share of light that counts as none.
+const NO_TRANSMISSION: f32 = 1e-6;
 
 struct Passage {
     // The light of the medium, and the share of the light from behind that comes through it.
@@ -26,6 +32,13 @@ struct Way {
     // Whether r does not turn within the step, next to the horizon.
     regular: bool,
     neighbours: Neighbours,
+}
+
+// Whether what a ray has met hides what is behind.
+fn hides(seen: Passage) -> bool {
+    let light = max(seen.light.r, max(seen.light.g, seen.light.b));
+    let dim = seen.transmission * brightest_light() < HIDDEN_SHARE * light;
+    return seen.transmission < NO_TRANSMISSION || seen.transmission < MIN_TRANSMISSION && dim;
 }
 
 // Whether a ray can only end in the hole, and meets nothing before.
@@ -53,7 +66,7 @@ fn passage(photon: Photon) -> Passage {
             result.ray.outcome = OUTCOME_CAPTURED;
             break;
         }
-        if result.transmission < MIN_TRANSMISSION {
+        if hides(result) {
             result.ray.outcome = OUTCOME_HIDDEN;
             break;
         }

@@ -1,5 +1,5 @@
-// The light of jets along a part of a step. The part is divided at the inner side of the sheath, and each
-// piece has Gauss-Legendre nodes. Jets let all light through.
+// The light of jets along a part of a step. The part is divided at the inner sides of the sheath and at the
+// place nearest to the axis, and each of the four pieces has Gauss-Legendre nodes. Jets let all light through.
 //
 // Gives: MAX_JET_SPANS, add_jet, spans_in_jets.
 
@@ -10,8 +10,8 @@ const JET_PLACES_OF_STEP: u32 = 9u;
 // Halvings of a boundary's interval, and steps of the search for the place nearest to the axis.
 const JET_HALVINGS: u32 = 10u;
 const JET_SEARCH: u32 = 8u;
-// The stream at which a part is divided: the spine and its surroundings are smooth.
-const SHEATH_INSIDE: f32 = 0.36;
+// The stream at the inner side of the sheath.
+const SHEATH_INSIDE: f32 = 0.2;
 
 fn inside_jets_at(path: Curve, base: f32, share: f32) -> f32 {
     let y = curve_at(path, share);
@@ -104,15 +104,15 @@ fn add_jet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Pho
         high = select(high, high - width, left);
     }
     let nearest = 0.5 * (low + high);
-    var ends = array<f32, 4>(span.x, nearest, nearest, span.y);
+    var ends = array<f32, 5>(span.x, nearest, nearest, nearest, span.y);
     if stream_at(way.path, way.motion.base, nearest) < SHEATH_INSIDE {
         ends[1] = sheath_share(way.path, way.motion.base, nearest, span.x);
-        ends[2] = sheath_share(way.path, way.motion.base, nearest, span.y);
+        ends[3] = sheath_share(way.path, way.motion.base, nearest, span.y);
     }
     var nodes = JET_NODES;
     var light = vec3<f32>(0.0);
     let arriving = (*result).transmission * jet.brightness;
-    for (var piece = 0u; piece < 3u; piece++) {
+    for (var piece = 0u; piece < 4u; piece++) {
         let parts = parts_of_chunk();
         let width = (ends[piece + 1u] - ends[piece]) / f32(parts);
         if width > 1e-6 {

@@ -16,7 +16,8 @@ fn jet() -> Jet {
     let kerr = Kerr { spin: 0.9 };
     let shape = Shape {
         sheath: [0.84, 0.1],
-        spine: 0.08,
+        spine: [0.08, 0.25],
+        rim: 8.0,
         fade: 0.6,
         decay: 1.3,
         ..Shape::new(kerr, [0.3, 1.5, 40.0, 0.8])

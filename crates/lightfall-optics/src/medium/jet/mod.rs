@@ -18,8 +18,6 @@ pub use light::JetPlace;
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::Scene;
 
-/// The radius of the spine's brightness, as a share of the jet's.
-const SPINE_WIDTH: f64 = 0.25;
 /// The radius at which the spectrum falls off at [`Shape::colour`], in r_s.
 const COLOUR_RADIUS: f64 = 10.0;
 /// The share of the base's radius at which the matter is at rest.
@@ -36,8 +34,11 @@ pub struct Shape {
     pub width: f64,
     /// Where the bright sheath is and how thick, as shares of the jet's radius.
     pub sheath: [f64; 2],
-    /// Brightness of the axis over that of the sheath.
-    pub spine: f64,
+    /// Brightness of the axis over that of the sheath, and the radius of the spine as a share of the
+    /// jet's.
+    pub spine: [f64; 2],
+    /// The power of the place across the jet with which the light falls to nothing at the edge.
+    pub rim: f64,
     /// Velocity times Lorentz factor far out, and the radius over which the matter reaches half of it.
     pub speed: f64,
     /// As `speed` says.
@@ -66,14 +67,15 @@ impl Shape {
         Self {
             kappa: 0.88,
             width,
-            sheath: [0.74, 0.16],
-            spine: 0.2,
+            sheath: [0.65, 0.15],
+            spine: [6.0, 0.12],
+            rim: 2.0,
             speed,
             rise: 8.0,
             base: 1.3 * kerr.horizon(),
             length,
             fade: 0.9,
-            decay: 1.4,
+            decay: 1.7,
             swirl: 0.5,
             colour,
             cooling: 1.1,
@@ -135,14 +137,14 @@ impl Jet {
 
     /// The brightness across the jet: a sheath and a spine, and nothing at the edge.
     pub fn profile(&self, x: f64) -> f64 {
-        self.across_profile(x, x) * (1.0 - x.powi(8)).powi(2)
+        self.across_profile(x, x) * (1.0 - x.powf(self.shape.rim)).max(0.0).powi(2)
     }
 
     /// The brightness of the sheath at one place across the jet and of the spine at another.
     fn across_profile(&self, in_sheath: f64, in_spine: f64) -> f64 {
-        let [place, width] = self.shape.sheath;
-        let sheath = (-((in_sheath - place) / width).powi(2)).exp();
-        sheath + self.shape.spine * (-(in_spine / SPINE_WIDTH).powi(2)).exp()
+        let near = |offset: f64, width: f64| (-(offset / width).powi(2)).exp();
+        let ([place, thickness], [spine, radius]) = (self.shape.sheath, self.shape.spine);
+        near(in_sheath - place, thickness) + spine * near(in_spine, radius)
     }
 
     /// Emission of the smooth jets for each r_s of the way in the matter's frame.
