@@ -27,6 +27,16 @@ pub fn thick_scene(spin: f64, [r, theta_deg]: [f64; 2], thickness: f64, depth: f
     scene
 }
 
+/// A scene with jets and a disk without thickness around a hole of this spin, and nothing behind them,
+/// from a place as in [`thick_scene`]. The jets are about as bright as the disk, so that the error is
+/// that of both.
+pub fn jet_scene(spin: f64, place: [f64; 2]) -> Scene {
+    let mut scene = thick_scene(spin, place, 0.0, 1.0);
+    scene.camera.fov_deg = 66.0;
+    (scene.jet.enabled, scene.jet.brightness) = (true, 3.0);
+    scene
+}
+
 /// What the twin says of rays through a scene.
 pub(super) struct TrueLight {
     passages: Vec<Passage>,

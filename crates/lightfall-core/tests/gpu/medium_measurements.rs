@@ -12,7 +12,7 @@ use lightfall_lab::extremes::{matter_cells, matter_table, measure_matter};
 fn matter_in_its_hardest_places_holds_the_error_that_it_is_asked_for() {
     let verdicts = measure_matter(gpu(), &matter_cells(96), |_| {}).unwrap();
     println!("{}", matter_table(&verdicts));
-    assert!(verdicts.len() >= 17 && verdicts.iter().all(|verdict| verdict.lit > 10));
+    assert!(verdicts.len() >= 25 && verdicts.iter().all(|verdict| verdict.lit > 10));
     assert!(verdicts.iter().all(|verdict| verdict.holds));
 }
 
@@ -36,9 +36,10 @@ fn a_quick_run_states_the_error_of_matter_against_its_run_time() {
         assert_eq!(disks[5], "living");
         assert_eq!(of_scene[0].time_over_thin(&rows), 1.0);
         let smooth = &of_scene[1..5];
+        let jets = of_scene[0].scene == "jets";
         assert_eq!(
             smooth.iter().map(|row| row.nodes).collect::<Vec<_>>(),
-            [3, 4, 8, 12]
+            if jets { [4, 6, 9, 12] } else { [3, 4, 8, 12] }
         );
         assert_eq!(smooth.iter().filter(|row| row.own).count(), 1);
         for row in smooth {
@@ -51,7 +52,8 @@ fn a_quick_run_states_the_error_of_matter_against_its_run_time() {
                 "{row:?}"
             );
         }
-        assert!(smooth[0].light_p50 > smooth[3].light_p50 && smooth[0].samples < smooth[3].samples);
+        // The median of jets is that of f32 with the fewest nodes already.
+        assert!(smooth[0].light_p95 > smooth[3].light_p95 && smooth[0].samples < smooth[3].samples);
     }
     let again = plan
         .run_medium(gpu(), &rows, |row| panic!("{row:?}"))

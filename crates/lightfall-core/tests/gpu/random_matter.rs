@@ -1,4 +1,5 @@
 //! Random scenes with matter with depth: the light of single rays against the converged f64 twin's.
+//! A third of them have jets, half of these beside a disk with thickness.
 
 use crate::gpu;
 use crate::random::Random;
@@ -26,6 +27,9 @@ fn random_scene(random: &mut Random) -> Scene {
         scene.sky.mode = SkyMode::Off;
         set_place(random, &mut scene);
         set_disk(random, &mut scene);
+        if random.one_in(3) {
+            set_jets(random, &mut scene);
+        }
         scene.quality.max_error_light = random.of(&[0.1, 0.02, 0.002]);
         let effects = &mut scene.effects;
         for effect in [
@@ -86,6 +90,22 @@ fn set_disk(random: &mut Random, scene: &mut Scene) {
         scene.disk.tilt_deg = random.between(0.0, 180.0);
         scene.disk.node_deg = random.between(-180.0, 180.0);
     }
+}
+
+/// Smooth jets, in every second scene beside a disk without thickness.
+fn set_jets(random: &mut Random, scene: &mut Scene) {
+    if random.one_in(2) {
+        scene.disk.thickness = 0.0;
+        scene.disk.transmission = random.of(&[0.0, 0.5]);
+    }
+    let jet = &mut scene.jet;
+    jet.enabled = true;
+    jet.knots = 0.0;
+    jet.brightness = random.log_between(0.1, 10.0);
+    jet.width = random.log_between(0.05, 1.0);
+    jet.length = random.log_between(5.0, 200.0);
+    jet.speed = random.of(&[0.1, 0.5, 1.5, 20.0]);
+    jet.colour = random.log_between(0.1, 20.0);
 }
 
 /// A random scene of whose rays enough meet the matter, its rays, and what the GPU finds. Every ray has
@@ -155,6 +175,7 @@ fn light_of_structured_matter_in_random_scenes_is_finite() {
             (random.between(0.0, 1.5), random.of(&[0.0, 2.0]));
         scene.disk.lanes = random.of(&[0.0, 1.0]);
         scene.disk.time = random.of(&[0.0, 1e3, -1e9]);
+        scene.jet.knots = random.between(0.0, 1.5);
         let found = found(&scene, &rays);
         let lit = found.iter().filter(|seen| seen.light.max_element() > 0.0);
         assert!(lit.count() > 0, "{}", scene.to_preset());

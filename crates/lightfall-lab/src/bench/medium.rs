@@ -1,9 +1,9 @@
-//! The error of light from matter with depth against the run time, and the time of a disk with
-//! thickness over that of a sheet.
+//! The error of light from matter with depth against the run time, and the time of disks with
+//! thickness and of jets over that of a sheet.
 
 use super::plan::Plan;
 use crate::import::or_nan;
-use crate::medium::{PassageKernels, Soundness, TrueLight, thick_scene};
+use crate::medium::{PassageKernels, Soundness, TrueLight, jet_scene, thick_scene};
 use crate::table::table;
 use lightfall_accuracy::{LightErrors, rays_over_picture};
 use lightfall_gpu::timing::{Stage, Stopwatch, Timing};
@@ -13,23 +13,24 @@ use lightfall_model::scene::{DiskStructure, LimbDarkening, Method, Scene};
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
-/// The largest errors that are asked for: those with three, four, eight and twelve nodes in a chunk.
+/// The largest errors that are asked for: those with three, four, eight and twelve nodes in a chunk of a
+/// disk, and with four, six, nine and twelve in a quarter of a jet.
 const MAX_ERRORS: [f64; 4] = [0.1, 0.012, 0.002, 0.0001];
 
 /// The number of waves of the living disks.
 const WAVES: u32 = 24;
 
-/// Light of one disk with one number of nodes in one scene.
+/// Light of one kind of matter with one number of nodes in one scene.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct MediumMeasurement {
     /// Name of the scene.
     pub scene: String,
-    /// What the disk is: `smooth` or `living` with thickness, or `thin`, which is living, too.
+    /// What the matter is: `smooth` or `living`, or `thin`, a living disk without thickness and jets.
     pub disk: String,
     /// quality.max_error_light; absent for the thin disk.
     #[serde(deserialize_with = "or_nan")]
     pub max_error: f64,
-    /// Number of nodes in a chunk; 0 for the thin disk.
+    /// Number of nodes in a chunk or in a quarter of a jet; 0 for the thin disk.
     pub nodes: u32,
     /// Whether pictures use this number, because the scene does not set an error.
     pub own: bool,
@@ -39,7 +40,7 @@ pub struct MediumMeasurement {
     pub light_spread_ms: f64,
     /// The clock that the times were read from.
     pub clock: String,
-    /// Number of rays whose light was compared; 0 for a disk with structure.
+    /// Number of rays whose light was compared; 0 for matter with structure.
     pub rays: usize,
     /// Number of those with light.
     pub lit: usize,
@@ -92,8 +93,10 @@ impl Subject {
             if disk != Self::SMOOTH {
                 (scene.disk.structure, scene.disk.waves) = (DiskStructure::Turbulent, WAVES);
             }
-            if disk == Self::THIN {
-                scene.disk.thickness = 0.0;
+            match disk {
+                Self::THIN => (scene.disk.thickness, scene.jet.enabled) = (0.0, false),
+                Self::SMOOTH => scene.jet.knots = 0.0,
+                _ => {}
             }
             if let Some(max_error) = max_error {
                 scene.quality.max_error_light = max_error;
@@ -109,14 +112,14 @@ impl Subject {
     }
 
     fn nodes(&self) -> u32 {
-        Variant::timed_light(&self.scene).medium_nodes
+        nodes(&self.scene)
     }
 
     /// Whether a scene that sets no error has these nodes.
     fn is_own(&self) -> bool {
         let mut unset = self.scene.clone();
         unset.quality = Scene::default().quality;
-        Variant::timed_light(&unset).medium_nodes == self.nodes()
+        nodes(&unset) == self.nodes()
     }
 
     fn is(&self, row: &MediumMeasurement) -> bool {
@@ -124,13 +127,23 @@ impl Subject {
     }
 }
 
-/// The scenes: edge-on, from above, from near by, and as opaque as a disk may be.
-fn scenes() -> [(&'static str, Scene); 4] {
+/// The nodes in a chunk of the scene's disk or, where it has no thickness, in a quarter of a jet.
+fn nodes(scene: &Scene) -> u32 {
+    let variant = Variant::timed_light(scene);
+    match variant.medium_nodes {
+        0 => variant.jet_nodes,
+        nodes => nodes,
+    }
+}
+
+/// The scenes: edge-on, from above, from near by, as opaque as a disk may be, and jets with a sheet.
+fn scenes() -> [(&'static str, Scene); 5] {
     [
         ("edge-on", thick_scene(0.9, [20.0, 83.0], 0.06, 12.0)),
         ("60-degrees", thick_scene(0.9, [20.0, 60.0], 0.1, 3.0)),
         ("close", thick_scene(0.9, [6.5, 80.0], 0.06, 12.0)),
         ("depth-200", thick_scene(0.0, [20.0, 83.0], 0.05, 200.0)),
+        ("jets", jet_scene(0.9, [30.0, 70.0])),
     ]
 }
 
@@ -141,7 +154,7 @@ impl Plan {
         rows.into_iter().sum()
     }
 
-    /// Measures the light of disks with thickness, except the known rows of an earlier run. `done` is
+    /// Measures the light of matter with depth, except the known rows of an earlier run. `done` is
     /// called after each new row. Returns all rows.
     ///
     /// # Errors
@@ -155,7 +168,7 @@ impl Plan {
         let mut rows = Vec::new();
         for (name, scene) in scenes() {
             let subjects = Subject::of_scene(name, &scene);
-            // All smooth disks of a scene have one truth, which only a row that is not known needs.
+            // All smooth rows of a scene have one truth, which only a row that is not known needs.
             let smooth = subjects
                 .iter()
                 .find(|subject| subject.disk == Subject::SMOOTH);

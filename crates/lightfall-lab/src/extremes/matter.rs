@@ -24,8 +24,8 @@ pub struct MatterVerdict {
     /// Number of rays whose light is no finite number, or negative.
     pub not_finite: usize,
     /// Error of the light, relative to the larger of the ray's light and a hundredth of the 95th percentile
-    /// of the cell's rays or of the scene's picture, whichever is brighter: its median. Absent for a disk with structure, whose filaments fall between the
-    /// nodes of single rays.
+    /// of the cell's rays or of the scene's picture, whichever is brighter: its median. Absent for matter
+    /// with structure, whose filaments fall between the nodes of single rays.
     #[serde(deserialize_with = "or_nan")]
     pub light_p50: f64,
     /// Its 95th percentile.
@@ -78,7 +78,7 @@ fn verdict(
         unfinished,
         samples,
     } = Soundness::of(&found);
-    let smooth = scene.disk.structure == DiskStructure::None;
+    let smooth = scene.disk.structure == DiskStructure::None && !scene.jets_move();
     let truth = smooth.then(|| {
         let picture = rays_over_picture(scene, rays.len());
         TrueLight::of(scene, rays, &picture)

@@ -1,7 +1,7 @@
 //! The hardest places of matter with depth.
 
 use super::cells::Cell;
-use crate::medium::thick_scene;
+use crate::medium::{jet_scene, thick_scene};
 use lightfall_accuracy::{Ray, rays_over_picture, rays_over_sky, true_passages};
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::{DiskStructure, ObserverKind, Scene};
@@ -46,6 +46,19 @@ pub fn matter_cells(count: usize) -> Vec<Cell> {
         (scene.disk.tilt_deg, scene.disk.node_deg) = (35.0, 40.0);
     });
     let flat = with(edge_on(0.9), &|scene| scene.camera.theta_deg = 89.9);
+    let jets = |spin: f64, place: [f64; 2], knots: f64| {
+        with(jet_scene(spin, place), &|scene| scene.jet.knots = knots)
+    };
+    let narrow = |scene: Scene, fov_deg: f64| with(scene, &|scene| scene.camera.fov_deg = fov_deg);
+    let wide_jets = with(jets(0.998, [12.0, 60.0], 0.0), &|scene| {
+        (scene.jet.width, scene.jet.length, scene.jet.speed) = (1.0, 15.0, 4.0);
+    });
+    let jets_in_matter = with(jets(0.9, [20.0, 65.0], 0.0), &|scene| {
+        (scene.disk.thickness, scene.disk.depth) = (0.3, 2.0);
+    });
+    let falling_among_jets = with(inside(0.9), &|scene| {
+        (scene.jet.enabled, scene.jet.brightness, scene.jet.knots) = (true, 3.0, 0.0);
+    });
     let in_picture = [
         ("edge-on, for comparison", edge_on(0.9)),
         ("depth 200", of_shape(0.05, 200.0)),
@@ -57,6 +70,18 @@ pub fn matter_cells(count: usize) -> Vec<Cell> {
         ("edge-on", edge_on(-0.9)),
         ("a disk tilted by 35 degrees", tilted),
         ("lumps 2", lumpy),
+        ("jets from the side", jets(0.9, [30.0, 70.0], 0.0)),
+        (
+            "jets from 400 r_s",
+            narrow(jets(0.9, [400.0, 90.0], 0.0), 4.0),
+        ),
+        (
+            "jets along their axis",
+            narrow(jets(0.5, [60.0, 0.0], 0.0), 25.0),
+        ),
+        ("wide and fast jets", wide_jets),
+        ("jets through a disk with thickness 0.3", jets_in_matter),
+        ("jets with knots", jets(0.9, [30.0, 70.0], 1.0)),
     ];
     let in_sky = [
         (
@@ -66,6 +91,8 @@ pub fn matter_cells(count: usize) -> Vec<Cell> {
         ("camera in the matter, in orbit at 6 r_s", orbit),
         ("camera at 0.9 r_+, falling", inside(0.0)),
         ("camera at 0.9 r_+, falling", inside(0.9)),
+        ("camera in a jet", jets(0.9, [9.0, 12.0], 0.0)),
+        ("camera at 0.9 r_+, falling, with jets", falling_among_jets),
     ];
     let picture = in_picture.map(|(name, scene)| {
         Cell::new(GROUP, name, scene, |scene| rays_over_picture(scene, count))
