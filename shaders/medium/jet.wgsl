@@ -112,12 +112,15 @@ fn jet_slowing(orbit: KerrRay, r: f32, stream: f32, y: vec4<f32>, slope: vec4<f3
 }
 
 // Linear sRGB per unit of bolometric flux, seen with this shift, where patterns multiply the emission by
-// `factor`. Frequencies outside the table are those of its ends.
+// `factor`. Beyond the last entry of the table light falls by a power of the frequency; below the first one
+// it is as dark as there.
 fn synchrotron_colour(r: f32, g: f32, factor: f32) -> vec3<f32> {
     let last = f32(JET_COLOURS - 1u);
     let octaves = log2(max(g, TINY)) + jet.heating * log2(max(factor, TINY));
-    let place = clamp(jet.colour - jet.cooling * log2(r) + JET_COLOURS_PER_OCTAVE * octaves, 0.0, last);
+    let wanted = jet.colour - jet.cooling * log2(r) + JET_COLOURS_PER_OCTAVE * octaves;
+    let place = clamp(wanted, 0.0, last);
+    let beyond = max(wanted - last, 0.0) / JET_COLOURS_PER_OCTAVE;
     let low = min(u32(place), JET_COLOURS - 2u);
     let entry = mix(jet.colours[low], jet.colours[low + 1u], place - f32(low));
-    return max(entry.rgb, vec3<f32>(0.0)) * exp(entry.a);
+    return max(entry.rgb, vec3<f32>(0.0)) * (exp(entry.a) * exp2(-JET_FALL_BEYOND_COLOURS * beyond));
 }

@@ -197,6 +197,11 @@ pub(super) fn add_constants(prelude: &mut String, nodes: u32, knots: bool) {
     );
     add_u32(prelude, "JET_COLOURS", synchrotron::TABLE_LEN as u32);
     add_f32(prelude, "JET_COLOURS_PER_OCTAVE", colours_per_octave());
+    add_f32(
+        prelude,
+        "JET_FALL_BEYOND_COLOURS",
+        synchrotron::FALL_BEYOND_TABLE,
+    );
     if knots {
         add_u32(prelude, "JET_TRAVEL_ROWS", TRAVEL_ROWS as u32);
         add_u32(prelude, "JET_WAVE_ROWS", WAVE_ROWS as u32);

@@ -1,6 +1,6 @@
 //! The colour of synchrotron light: the spectrum nu^-0.6 exp(-nu/nu_c), seen by the CIE 1931 2-degree
-//! observer, in linear sRGB. The twin in WGSL is shaders/medium/jet/colour.wgsl, which samples the table
-//! made here.
+//! observer, in linear sRGB. The twin in WGSL is shaders/medium/jet.wgsl, which samples the table made
+//! here.
 //!
 //! As in [`spectrum`](crate::spectrum), a colour is per unit of bolometric flux, in the same unit: light
 //! with the frequency nu_c where its matter is at rest has the colour `colour(g nu_c)` times g^4.
@@ -10,9 +10,13 @@ use glam::DVec3;
 use std::sync::LazyLock;
 
 /// Number of entries of the table.
-pub const TABLE_LEN: usize = 256;
-/// nu_c of the table's first and last entries, over 540 THz.
-pub const TABLE_RANGE: [f64; 2] = [0.05, 50.0];
+pub const TABLE_LEN: usize = 400;
+/// nu_c of the table's first and last entries, over 540 THz. Light below is darker than the first entry,
+/// whose largest channel is 2e-7 of the brightest entry's.
+pub const TABLE_RANGE: [f64; 2] = [0.05, 5000.0];
+/// The power of nu_c with which light falls beyond the table's last entry, where all that is visible lies
+/// on the power law. The error is 2e-4, nu/nu_c at the last entry.
+pub const FALL_BEYOND_TABLE: f64 = 1.0 - INDEX;
 
 /// Minus the power of the spectrum: that of electrons whose number falls with the energy to the power
 /// -2.2 (Rybicki & Lightman 1979, eq. 6.22).

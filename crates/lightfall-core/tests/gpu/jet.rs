@@ -17,14 +17,16 @@ fn jets(spin: f64, [r, theta_deg]: [f64; 2], fov_deg: f64) -> Scene {
     scene
 }
 
-/// From the side, from far away, from inside a jet, along the axis, and wide jets around holes without
-/// spin and with nearly the most.
+/// From the side, from far away, from inside a jet, along the axis, wide jets around holes without spin and
+/// with nearly the most, and jets as blue and as fast as they can be.
 fn scenes() -> Vec<Scene> {
     let wide = |spin| {
         let mut scene = jets(spin, [12.0, 60.0], 70.0);
         (scene.jet.width, scene.jet.length, scene.jet.speed) = (0.8, 15.0, 4.0);
         scene
     };
+    let mut blue = jets(-0.7, [3.4, 90.0], 80.0);
+    (blue.jet.colour, blue.jet.speed, blue.jet.length) = (20.0, 20.0, 150.0);
     vec![
         jets(0.9, [30.0, 70.0], 66.0),
         jets(0.9, [400.0, 90.0], 12.0),
@@ -32,6 +34,7 @@ fn scenes() -> Vec<Scene> {
         jets(0.5, [60.0, 0.0], 30.0),
         wide(0.0),
         wide(0.998),
+        blue,
     ]
 }
 

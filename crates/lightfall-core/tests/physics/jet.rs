@@ -132,3 +132,14 @@ fn synchrotron_light_has_the_unit_of_thermal_light() {
         assert_close(frequency, found, seen / white, 3e-3);
     }
 }
+
+#[test]
+fn light_beyond_the_table_of_colours_falls_by_its_power() {
+    let brightest = |frequency: f64| DVec3::from(synchrotron::colour(frequency)).max_element();
+    let [first, last] = synchrotron::TABLE_RANGE;
+    for times in [3.0, 1e3, 1e6] {
+        let expected = brightest(last) * f64::powf(times, -synchrotron::FALL_BEYOND_TABLE);
+        assert_close(times, brightest(times * last), expected, 3e-4);
+    }
+    assert!(brightest(first) < 3e-7 * brightest(1.0));
+}
