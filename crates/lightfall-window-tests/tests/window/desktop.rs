@@ -140,7 +140,9 @@ impl Desktop {
         let config = home.path().join("config");
         std::fs::create_dir_all(config.join("lightfall")).unwrap();
         for (name, text) in setup.files {
-            std::fs::write(config.join("lightfall").join(name), text).unwrap();
+            let file = config.join("lightfall").join(name);
+            std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+            std::fs::write(file, text).unwrap();
         }
         let stderr = std::fs::File::create(home.path().join("stderr")).unwrap();
         let started = Instant::now();
@@ -220,6 +222,16 @@ impl Desktop {
             assert!(start.elapsed() < PATIENCE, "the program still runs");
             std::thread::sleep(POLL);
         }
+    }
+
+    /// Ends a test whose program still runs and has reported no error.
+    #[track_caller]
+    pub fn end_without_error(mut self) {
+        let stderr = self.stderr();
+        let has_failed = ["ERROR", "panicked"]
+            .iter()
+            .any(|word| stderr.contains(word));
+        assert!(self.running() && !has_failed, "{stderr}");
     }
 
     /// The settings file.
