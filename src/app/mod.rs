@@ -70,11 +70,13 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
+use lightfall_core::scene::mission::Mission;
 use lightfall_platform::log::{quiet_log, say};
 use lightfall_render::recovery::DeviceFailure;
 use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
 use state::light_meter::LightMeter;
+use state::missions::StartMission;
 use state::paused::Paused;
 use state::title::Title;
 use state::toast::Toast;
@@ -92,6 +94,8 @@ pub struct Start {
     pub journey: Journey,
     /// Whether the journey starts at once. Otherwise it starts when its key is pressed.
     pub plays_journey: bool,
+    /// The mission that begins at once; the first scene is that of its start.
+    pub mission: Option<Box<Mission>>,
     /// Whether the first scene says itself whether it is shown in cells. Otherwise the settings do.
     pub keeps_own_look: bool,
     /// The folder of shaders that are linked again whenever one of its files changes.
@@ -108,6 +112,7 @@ impl Start {
             stars: Catalogue::built_in(),
             journey,
             plays_journey: false,
+            mission: None,
             keeps_own_look: false,
             shaders: source_shaders(),
         }
@@ -151,12 +156,13 @@ pub fn program(start: Start) -> App {
         stars,
         journey,
         plays_journey,
+        mission,
         keeps_own_look,
         shaders,
     } = start;
     let mut player = JourneyPlayer::new(journey);
-    // A journey that begins at once shows a title of its own.
-    let title = if plays_journey {
+    // A journey or a mission that begins at once shows a title of its own.
+    let title = if plays_journey || mission.is_some() {
         Title::default()
     } else {
         Title::of(&scene)
@@ -268,6 +274,9 @@ pub fn program(start: Start) -> App {
             ui::compass::plugin,
             ui::touch_bar::plugin,
         ));
+    if let Some(mission) = mission {
+        app.world_mut().write_message(StartMission(mission));
+    }
     #[cfg(target_arch = "wasm32")]
     app.add_plugins((session::page::plugin, session::link::plugin));
     app

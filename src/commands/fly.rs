@@ -4,7 +4,7 @@ use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::glyphs::note_lacking;
 use super::output::print;
-use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, scene, stars};
+use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, opened, stars};
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
@@ -14,6 +14,7 @@ use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
+use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::{Output, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, Studio};
@@ -23,13 +24,19 @@ use std::path::{Path, PathBuf};
 
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
-    let scene = scene(&args.scene)?;
+    let (scene, mission) = opened(&args.scene)?.into_parts();
     let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
     if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
         return Err(Stop::refused(format!(
             "--journey {NO_JOURNEY} is for `lightfall render`; the window flies a journey when J is pressed, or at once where --journey names a file"
+        )));
+    }
+    if let (Some(mission), true) = (&mission, journey_file.is_some()) {
+        return Err(Stop::refused(format!(
+            "--journey is for presets, and {:?} is a mission: one of the two can be flown",
+            mission.title
         )));
     }
     let journey = journey(journey_file, &scene)?;
@@ -42,14 +49,23 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     } else {
         Output::Still
     };
-    note_idle_preset(args.scene.preset.as_deref(), &scene);
+    let preset = args.scene.preset.as_deref();
+    // What a mission sets is nobody's choice of a picture.
+    note_idle_preset(preset.filter(|_| mission.is_none()), &scene);
     note_unused(&args.scene, &scene, output, |without| without, |_| None);
     let message = note_missing_stars(&args.scene, &scene, stars);
     if let Err(reason) = display {
-        return draw_instead(scene, stars, &journey, journey_file, &reason);
+        let moment = match (&mission, journey_file) {
+            (Some(mission), _) => Moment::Mission(mission),
+            (None, Some(file)) => Moment::Journey(&journey, file),
+            (None, None) => Moment::Scene,
+        };
+        return draw_instead(scene, stars, &moment, &reason);
     }
-    if let Some(preset) = &args.scene.preset {
-        note_lacking(preset.display(), [&scene.name, &scene.title]);
+    if let Some(preset) = preset {
+        let texts = mission.as_ref().map(|mission| mission.texts());
+        let texts = texts.unwrap_or_else(|| vec![&scene.name, &scene.title]);
+        note_lacking(preset.display(), texts);
     }
     if let Some(file) = journey_file {
         let captions = journey.captions.iter().map(|caption| &caption.text);
@@ -68,6 +84,7 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
         message,
         stars,
         plays_journey: journey_file.is_some(),
+        mission,
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
         shaders: args.shaders.clone().or(start.shaders),
         ..start
@@ -77,18 +94,28 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     app::run(program).map_err(Stop::failed)
 }
 
-/// Without a display: draws the scene, or the first moment of the journey, to a new PNG file in the
-/// current folder. `reason` says why there is no display.
+/// What a window would show first.
+enum Moment<'a> {
+    Scene,
+    Journey(&'a Journey, &'a Path),
+    Mission(&'a Mission),
+}
+
+/// Without a display: draws the scene, or the first moment of the journey or the mission, to a new PNG
+/// file in the current folder. `reason` says why there is no display.
 fn draw_instead(
     mut scene: Scene,
     stars: &'static Catalogue,
-    journey: &Journey,
-    journey_file: Option<&Path>,
+    moment: &Moment,
     reason: &str,
 ) -> Result<(), Stop> {
-    let (name, what) = match journey_file {
-        None => (scene.name.clone(), "the scene".to_owned()),
-        Some(file) => {
+    let (name, what) = match moment {
+        Moment::Scene => (scene.name.clone(), "the scene".to_owned()),
+        Moment::Mission(mission) => (
+            mission.name.clone(),
+            format!("the start of {:?}", mission.title),
+        ),
+        Moment::Journey(journey, file) => {
             journey.apply(0.0, &mut scene);
             let name = file
                 .file_stem()

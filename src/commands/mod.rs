@@ -27,5 +27,5 @@ pub use console::StandardError;
 pub use presets::presets;
 pub use progress::in_words;
 pub use run::{run, run_with};
-pub use scene::{journey, scene};
+pub use scene::{journey, opened, scene};
 pub use stop::Stop;

@@ -8,14 +8,15 @@ use super::unused::idle_fields;
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::optics::ship::{Attempt, Outcome, fly};
-use lightfall_core::scene::mission;
-use lightfall_core::scene::presets::{self, PRESETS};
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::mission::Mission;
+use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
+use lightfall_platform::storage::Opened;
 use lightfall_render::cost_report;
 use std::ffi::OsStr;
 use std::io::Write;
-use std::path::Path;
 
 /// Runs `lightfall presets` and writes the answer to `out`.
 ///
@@ -60,57 +61,46 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
 }
 
 /// Checks that a preset can be read and its scene traced, or that a mission can be flown.
-fn check(preset: &OsStr) -> Result<String, Stop> {
-    if let Some(answer) = check_mission(preset)? {
-        return Ok(answer);
-    }
-    let scene = storage::scene_by_name("presets check", preset, &[])?;
-    let name = preset.display();
-    for idle in idle_fields(preset, &scene) {
-        say(format_args!("lightfall: {name}: {idle}"));
-    }
-    note_lacking(&name, [&scene.name, &scene.title]);
-    match GpuScene::for_rays(&scene) {
-        // A preset for the reference is useful, too: `trace --device cpu` runs it.
-        Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{name}: ok\n")),
-        Err(error) => Err(Stop::refused(format!("{}: {error}", preset.display()))),
+fn check(given: &OsStr) -> Result<String, Stop> {
+    match storage::open_by_name("presets check", given, &[])? {
+        Opened::Scene(scene) => check_preset(given, &scene),
+        Opened::Mission(mission) => check_mission(given, &mission),
     }
 }
 
-/// What a mission file says, if the name is that of one: it can be read, starts, and its solution
-/// reaches its goals.
-fn check_mission(preset: &OsStr) -> Result<Option<String>, Stop> {
-    let path = Path::new(preset);
-    let given = preset.to_str();
-    let mission = match given.and_then(mission::built_in) {
-        Some(_) if given.is_some_and(|name| presets::find(name).is_some()) => return Ok(None),
-        Some(mission) => mission,
-        None if !storage::exists(path) => return Ok(None),
-        None => match storage::read_mission(path)? {
-            Some(mission) => mission,
-            None => return Ok(None),
-        },
-    };
+fn check_preset(preset: &OsStr, scene: &Scene) -> Result<String, Stop> {
     let name = preset.display();
-    note_lacking(&name, mission.texts());
-    let refused = |fault: String| Stop::refused(format!("{name}: {fault}"));
-    let mut attempt = Attempt::new(&mission).map_err(|fault| refused(fault.to_string()))?;
-    let goals = mission.goals.len();
-    if mission.solution.is_empty() {
-        return Ok(Some(format!("{name}: ok, a mission without a solution\n")));
+    for idle in idle_fields(preset, scene) {
+        say(format_args!("lightfall: {name}: {idle}"));
     }
+    note_lacking(&name, [&scene.name, &scene.title]);
+    match GpuScene::for_rays(scene) {
+        // A preset for the reference is useful, too: `trace --device cpu` runs it.
+        Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{name}: ok\n")),
+        Err(error) => Err(Stop::refused(format!("{name}: {error}"))),
+    }
+}
+
+/// Checks that the solution of a mission reaches its goals.
+fn check_mission(given: &OsStr, mission: &Mission) -> Result<String, Stop> {
+    let name = given.display();
+    note_lacking(&name, mission.texts());
+    if mission.solution.is_empty() {
+        return Ok(format!("{name}: ok, a mission without a solution\n"));
+    }
+    let refused = |fault: String| Stop::refused(format!("{name}: {fault}"));
+    let mut attempt = Attempt::new(mission).map_err(|fault| refused(fault.to_string()))?;
     let outcome =
         fly(&mut attempt, &mission.solution).map_err(|fault| refused(fault.to_string()))?;
-    let reached = attempt.reached().len();
+    let goals = counted(mission.goals.len(), "goal");
     if outcome != Outcome::Success {
+        let reached = attempt.reached().len();
         return Err(refused(format!(
-            "the solution reaches {reached} of {}",
-            counted(goals, "goal")
+            "the solution reaches {reached} of {goals}"
         )));
     }
     let used = four_digits(attempt.voyage().flight.rocket.used());
-    Ok(Some(format!(
-        "{name}: ok, a mission; its solution reaches {} with a rapidity of {used}\n",
-        counted(goals, "goal")
-    )))
+    Ok(format!(
+        "{name}: ok, a mission; its solution reaches {goals} with a rapidity of {used}\n"
+    ))
 }

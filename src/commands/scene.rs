@@ -10,7 +10,11 @@ use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Override, Scene, presets};
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
+use lightfall_platform::storage::Opened;
 use std::path::Path;
+
+/// The option that names a preset or a mission, in errors.
+const OPTION: &str = "--preset";
 
 /// The scene that the options describe.
 ///
@@ -18,17 +22,38 @@ use std::path::Path;
 /// A preset that does not exist, cannot be read or is wrong; or a wrong override.
 pub fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
     let overrides = args.overrides().map_err(Stop::refused)?;
-    scene_with(args, &overrides)
+    match &args.preset {
+        None => default_scene(&overrides),
+        Some(preset) => Ok(storage::scene_by_name(OPTION, preset, &overrides)?),
+    }
 }
 
-/// The scene of the preset that the options name, with these overrides in place of the options' own.
+/// The scene or the mission that the options describe.
+///
+/// # Errors
+/// As those of [`scene`], and a mission that is wrong.
+pub fn opened(args: &SceneArgs) -> Result<Opened, Stop> {
+    let overrides = args.overrides().map_err(Stop::refused)?;
+    opened_with(args, &overrides)
+}
+
+/// The scene that the options name, or that of a mission's start, with these overrides in place of the
+/// options' own.
 pub(super) fn scene_with(args: &SceneArgs, overrides: &[Override]) -> Result<Scene, Stop> {
+    let (scene, _) = opened_with(args, overrides)?.into_parts();
+    Ok(scene)
+}
+
+fn opened_with(args: &SceneArgs, overrides: &[Override]) -> Result<Opened, Stop> {
     match &args.preset {
-        None => presets::PRESETS[presets::DEFAULT - 1]
-            .scene(overrides)
-            .map_err(Stop::refused),
-        Some(preset) => Ok(storage::scene_by_name("--preset", preset, overrides)?),
+        None => default_scene(overrides).map(|scene| Opened::Scene(Box::new(scene))),
+        Some(preset) => Ok(storage::open_by_name(OPTION, preset, overrides)?),
     }
+}
+
+fn default_scene(overrides: &[Override]) -> Result<Scene, Stop> {
+    let preset = presets::PRESETS[presets::DEFAULT - 1];
+    preset.scene(overrides).map_err(Stop::refused)
 }
 
 /// The word that stands for no journey where pictures are rendered.

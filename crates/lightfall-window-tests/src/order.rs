@@ -1,6 +1,7 @@
 //! What a test asks of the watched program and no user can.
 
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 
 /// An order.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -20,6 +21,8 @@ pub enum Order {
     Connect(bool),
     /// Let the finger with this number do this at a place of the window, in points.
     Touch(u64, Stroke, [f32; 2]),
+    /// Drop this file on the window.
+    Drop(PathBuf),
     /// Push a part of the gamepad this far.
     Push(Pad, f32),
     /// Keep the window's picture, and compare the frames after the key for more light with it.

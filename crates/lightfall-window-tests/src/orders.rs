@@ -3,7 +3,7 @@
 use bevy::input::touch::{TouchInput, TouchPhase};
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
-use bevy::window::PrimaryWindow;
+use bevy::window::{FileDragAndDrop, PrimaryWindow};
 use lightfall::app::{DiskClock, Preferences};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::load;
@@ -42,7 +42,7 @@ pub fn plugin(app: &mut App) {
     app.insert_resource(Lines(Mutex::new(receiver)))
         .init_resource::<Orders>()
         .init_resource::<FrameSeconds>()
-        .add_systems(First, (receive_orders, touch).chain())
+        .add_systems(First, (receive_orders, (touch, drop_files)).chain())
         .add_systems(Update, (show_scene, size_texts))
         .add_systems(Last, slow_down);
 }
@@ -96,6 +96,21 @@ fn touch(
                 window: *window,
                 force: None,
                 id,
+            });
+        }
+    }
+}
+
+fn drop_files(
+    orders: Res<Orders>,
+    window: Single<Entity, With<PrimaryWindow>>,
+    mut drops: MessageWriter<FileDragAndDrop>,
+) {
+    for order in &orders.new {
+        if let Order::Drop(file) = order {
+            drops.write(FileDragAndDrop::DroppedFile {
+                window: *window,
+                path_buf: file.clone(),
             });
         }
     }

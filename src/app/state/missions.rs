@@ -5,9 +5,7 @@ use super::mission_results::{MissionResult, MissionResults};
 use bevy::prelude::*;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::mission::{MISSIONS, Mission, Question, load};
-use lightfall_platform::storage::{
-    mission_results_file, missions_folder, preset_files, read_mission,
-};
+use lightfall_platform::storage::{Opened, mission_results_file, open_file, own_missions};
 
 /// The missions, and the results so far.
 #[derive(Resource, Default)]
@@ -81,10 +79,10 @@ impl Missions {
         let built_in = MISSIONS
             .iter()
             .map(|(name, text)| load(name, text).map_err(|fault| fault.to_string()));
-        let files = missions_folder().map_or_else(Vec::new, |folder| preset_files(&folder));
-        let own = files.iter().map(|file| match read_mission(file) {
-            Ok(Some(mission)) => Ok(mission),
-            Ok(None) => Err(format!("{}: has no table [[goal]]", file.display())),
+        let own = own_missions();
+        let own = own.iter().map(|file| match open_file(file, &[]) {
+            Ok(Opened::Mission(mission)) => Ok(*mission),
+            Ok(Opened::Scene(_)) => Err(format!("{}: has no table [[goal]]", file.display())),
             Err(fault) => Err(fault.to_string()),
         });
         let mut faults = Vec::new();

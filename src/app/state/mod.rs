@@ -4,6 +4,7 @@
 
 pub(crate) mod disk_clock;
 pub(crate) mod end_card;
+pub(crate) mod file_opener;
 pub(crate) mod helm;
 pub(crate) mod history;
 pub(crate) mod hole_in_view;

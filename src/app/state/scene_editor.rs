@@ -199,10 +199,11 @@ impl SceneEditor<'_> {
     }
 
     /// Notes that a flight is about to lead the camera away, which can be undone, and takes the
-    /// scene's title and the last message away. A flight that begins in a scene of its own, `start`,
+    /// scene's title and the last message away, if it was shown. A flight that begins in a scene of its own, `start`,
     /// finds it in place, in the present look.
     pub(crate) fn depart(&mut self, start: Option<&Scene>) {
         let before = self.scene();
+        let unread = self.toast.unread().to_owned();
         let start = start.map(|scene| Drawable::new(self.in_this_look(scene.clone())));
         match start {
             Some(Ok(start)) => {
@@ -215,7 +216,7 @@ impl SceneEditor<'_> {
             Some(Err(_)) | None => self.history.note_departure(&before, self.time.elapsed()),
         }
         self.title.close();
-        self.toast.clear();
+        self.toast.say(unread);
     }
 
     /// Notes that the observer is about to be let go, which can be undone.

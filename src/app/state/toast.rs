@@ -55,6 +55,14 @@ impl Toast {
         self.say(both);
     }
 
+    /// The sentence, if no frame has shown it yet. Empty if there is none.
+    pub(crate) fn unread(&self) -> &str {
+        match self.shown {
+            None => &self.text,
+            Some(_) => "",
+        }
+    }
+
     /// Takes the sentence away.
     pub(crate) fn clear(&mut self) {
         self.say("");

@@ -28,7 +28,7 @@ pub struct GpuArgs {
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
     /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a
-    /// picture drawn from one [default: 2]
+    /// picture drawn from one; without a command also a mission, by its name or file [default: 2]
     #[arg(long, value_name = "N|NAME|PATH")]
     pub preset: Option<OsString>,
     /// Set one field of the preset, such as camera.r=20; may be repeated, and the last value counts
@@ -197,7 +197,7 @@ pub enum PresetsCommand {
     },
     /// Check a preset or a mission
     Check {
-        /// Number or name of a preset, a TOML file of a preset or of a mission, or a picture that Lightfall drew
+        /// Number or name of a preset, name of a mission, a TOML file of either, or a picture that Lightfall drew
         #[arg(value_name = "N|NAME|PATH")]
         preset: OsString,
     },

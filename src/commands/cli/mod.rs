@@ -19,6 +19,7 @@ const EXAMPLES: &str = "\
 Examples:
   lightfall                                      fly, from preset 2
   lightfall --preset einstein-ring               fly, from another preset
+  lightfall --preset graze                       fly a mission
   lightfall render --preset 2 -o disk.png        one picture
   lightfall render --preset 2 --aov all -o disk.exr     linear light, and the data of each pixel's ray
   lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey

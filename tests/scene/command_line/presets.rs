@@ -88,7 +88,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     assert!(fault(&of_preset(folder.path())).ends_with(": cannot be read: it is a folder"));
     for empty in ["", " \n\t\n", "\u{feff}", "# r = 3\n"] {
         fs::write(&path, empty).unwrap();
-        let sentence = named("is empty; presets and journeys are short TOML texts");
+        let sentence = named("is empty; presets, missions and journeys are short TOML texts");
         assert_eq!(fault(&of_preset(&path)), sentence);
         let journey = commands::journey(Some(&path), &preset()).unwrap_err();
         assert_eq!(journey.to_string(), sentence);
@@ -97,13 +97,13 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     assert_eq!(
         fault(&of_preset(&path)),
         named(
-            "is not UTF-8 text: line 1 has the byte 0xFF, as in Windows-1252 or Latin-1; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`; presets and journeys are short TOML texts"
+            "is not UTF-8 text: line 1 has the byte 0xFF, as in Windows-1252 or Latin-1; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`; presets, missions and journeys are short TOML texts"
         )
     );
     fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
     assert_eq!(
         fault(&of_preset(&path)),
-        named("is longer than 1048576 bytes; presets and journeys are short TOML texts")
+        named("is longer than 1048576 bytes; presets, missions and journeys are short TOML texts")
     );
     fs::write(&path, "camera.r = 0.5").unwrap();
     let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
@@ -114,8 +114,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
 #[cfg(target_os = "linux")]
 #[test]
 fn an_endless_preset_file_is_read_only_up_to_the_limit() {
-    let sentence =
-        "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
+    let sentence = "/dev/zero: is longer than 1048576 bytes; presets, missions and journeys are short TOML texts";
     assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
 }
 
@@ -270,4 +269,69 @@ fn missions_are_checked_by_name_and_path_and_one_that_its_solution_misses_is_ref
         answer.ends_with("ok, a mission without a solution\n"),
         "{answer}"
     );
+}
+
+/// The same sentences as those of the check.
+#[test]
+fn missions_open_like_presets_and_wrong_ones_are_refused_as_the_check_refuses_them() {
+    let text = fs::read_to_string("assets/missions/graze.toml").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    let opened = |args: &SceneArgs| commands::opened(args).unwrap().into_parts();
+    fs::write(&file, &text).unwrap();
+    for given in [Path::new("graze"), &file] {
+        let (scene, mission) = opened(&of_preset(given));
+        assert_eq!(mission.unwrap().name, "graze");
+        assert_eq!((scene.camera.r, scene.hole.spin), (20.0, 0.0));
+        // What needs a preset says how a mission is flown.
+        let given = given.display();
+        assert_eq!(
+            fault(&of_preset(Path::new(&given.to_string()))),
+            format!(
+                "{given}: is a mission and not a preset; `lightfall --preset {given}` flies it"
+            )
+        );
+    }
+    // A preset is none.
+    assert!(opened(&of_preset(Path::new("close"))).1.is_none());
+    // Other fields may be set, but not those of the start.
+    let (scene, mission) = opened(&fly(
+        "lightfall --preset graze --set camera.fov_deg=90 --cells off",
+    ));
+    assert_eq!((scene.camera.fov_deg, scene.picture.bypass), (90.0, true));
+    assert_eq!(mission.unwrap().scene(), &scene);
+    let refused = |line: &str| commands::opened(&fly(line)).unwrap_err().to_string();
+    assert_eq!(
+        refused("lightfall --preset graze --spin 0.5"),
+        "--spin: hole.spin is refused: the mission \"Graze the photon sphere\" sets it"
+    );
+    assert!(refused("lightfall --preset graze --set sky.mode=none").starts_with("--set: sky.mode"));
+
+    for (from, to, sentence) in [
+        ("brief = ", "brieff = ", "unknown field `brieff`"),
+        ("r = 20.0", "r = 0.5", "the start of the mission is refused"),
+        ("spin = 0.0", "spin = 0.5", "verlet"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let wrong = text.replacen(from, to, 1);
+        // A preset whose method traces no spin.
+        let preset = "preset = \"article\"";
+        let wrong = match text.lines().find(|line| line.starts_with("preset = ")) {
+            Some(line) if sentence == "verlet" => wrong.replacen(line, preset, 1),
+            _ => wrong,
+        };
+        fs::write(&file, wrong).unwrap();
+        let check = PresetsCommand::Check {
+            preset: file.clone().into(),
+        };
+        let checked = commands::presets(&check, &mut Vec::new()).unwrap_err();
+        let opened = commands::opened(&of_preset(&file)).unwrap_err();
+        assert_eq!(opened, checked);
+        assert_eq!(opened.status, 2);
+        let opened = opened.to_string();
+        assert!(
+            opened.starts_with(&file.display().to_string()) && opened.contains(sentence),
+            "{opened}"
+        );
+    }
 }

@@ -141,6 +141,9 @@ pub enum SceneFault {
     /// An assignment without an equals sign.
     #[error("{given} is not of the form KEY=VALUE, such as camera.r=20")]
     NotAnAssignment { given: String },
+    /// An override of a field that a mission itself sets.
+    #[error("{key} is refused: the mission {title:?} sets it")]
+    SetByMission { key: String, title: String },
     /// A value of the wrong type or out of range.
     #[error(transparent)]
     Refused(#[from] Box<Refusal>),

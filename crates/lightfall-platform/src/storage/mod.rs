@@ -6,6 +6,7 @@ mod embedded_preset;
 mod file_name;
 mod files;
 mod folders;
+mod opened;
 mod picture_record;
 mod scene_source;
 
@@ -23,8 +24,9 @@ pub use folders::pictures_folder;
 pub use folders::{
     mission_results_file, missions_folder, preset_files, presets_folder, settings_file,
 };
-pub use picture_record::{PictureRecord, missing_stars};
-pub use scene_source::{
-    SourceError, own_presets, read_journey, read_mission, read_scene, read_stars, scene_by_name,
-    scene_of_file,
+pub use opened::{
+    Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
+    scene_by_name,
 };
+pub use picture_record::{PictureRecord, missing_stars};
+pub use scene_source::{SourceError, read_journey, read_stars};

@@ -1,16 +1,16 @@
-//! Scenes by name, from preset files and from pictures; journeys and catalogues of stars from files.
+//! Texts of presets, missions and journeys, from files and from pictures; journeys and catalogues of
+//! stars.
 
 use super::embedded_preset::{embedded_preset, is_picture};
-use super::files::{TextError, exists, read, text_of};
-use super::folders::{preset_files, presets_folder};
-use lightfall_core::gpu::Drawable;
+use super::files::{TextError, read, text_of};
+use lightfall_core::gpu::{Drawable, Undrawable};
+use lightfall_core::optics::ship::StartError;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
-use lightfall_core::scene::mission::{self, Mission, MissionError};
-use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
+use lightfall_core::scene::mission::MissionError;
+use lightfall_core::scene::{Scene, SceneError};
 use sha2::{Digest, Sha256};
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -20,7 +20,7 @@ pub(super) const MAX_PRESET_BYTES: u64 = 1 << 20;
 /// Maximum size of a catalogue of stars, in bytes: more than the largest number of stars takes.
 const MAX_STAR_FILE_BYTES: u64 = 256 << 20;
 
-/// Why a scene, a journey or a catalogue of stars cannot be read. Each message is one sentence that
+/// Why a scene, a mission, a journey or a catalogue of stars cannot be read. Each message is one sentence that
 /// names the file or the option.
 #[derive(Debug, Error)]
 pub enum SourceError {
@@ -33,6 +33,28 @@ pub enum SourceError {
     /// The mission is wrong.
     #[error(transparent)]
     Mission(#[from] MissionError),
+    /// There is no ship at the mission's start.
+    #[error("{origin}: {fault}")]
+    NoStart {
+        /// The mission's file or name.
+        origin: String,
+        /// Why there is none.
+        fault: StartError,
+    },
+    /// The mission's scene cannot be drawn.
+    #[error("{origin}: {fault}")]
+    Undrawable {
+        /// The mission's file or name.
+        origin: String,
+        /// Why it cannot.
+        fault: Box<Undrawable>,
+    },
+    /// A mission where a preset is needed.
+    #[error("{given}: is a mission and not a preset; `lightfall --preset {given}` flies it")]
+    MissionAsPreset {
+        /// The mission's file or name.
+        given: String,
+    },
     /// The catalogue of stars is wrong.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
@@ -81,54 +103,6 @@ pub enum SourceError {
     },
 }
 
-/// The scene of a built-in preset, by number or name; of one of the user's own presets, by name; or
-/// of a file, by path. `asked` names the option or the command in errors.
-///
-/// # Errors
-/// The preset does not exist, cannot be read or is wrong; or an override is wrong.
-pub fn scene_by_name(
-    asked: &'static str,
-    preset: &OsStr,
-    overrides: &[Override],
-) -> Result<Scene, SourceError> {
-    if let Some(preset) = preset.to_str().and_then(presets::find) {
-        return Ok(preset.scene(overrides)?);
-    }
-    let path = Path::new(preset);
-    let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
-    if !looks_like_a_path && !exists(path) {
-        if let Some(own) = own_preset(preset) {
-            return read_scene(&own, overrides);
-        }
-        let given = preset.display().to_string();
-        let hint = preset_hint(&given);
-        return Err(SourceError::UnknownPreset { asked, given, hint });
-    }
-    read_scene(path, overrides)
-}
-
-/// The scene of a preset file, or of the preset in a picture.
-///
-/// # Errors
-/// The file cannot be read or is wrong, or an override is wrong.
-pub fn read_scene(path: &Path, overrides: &[Override]) -> Result<Scene, SourceError> {
-    scene_of_file(path, contents(path)?, overrides)
-}
-
-/// The scene of a preset file, or of the preset in a picture, with these contents. `path` names the
-/// file in errors.
-///
-/// # Errors
-/// The contents or an override are wrong.
-pub fn scene_of_file(
-    path: &Path,
-    contents: Vec<u8>,
-    overrides: &[Override],
-) -> Result<Scene, SourceError> {
-    let text = text_of_source(path, contents)?;
-    Ok(load(&path.display().to_string(), &text, overrides)?)
-}
-
 /// The journey of a file, or the built-in journey. All of a file's journey must be possible in
 /// `scene`; the built-in journey is not checked, because it may never be flown.
 ///
@@ -153,22 +127,6 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
         })
 }
 
-/// The mission of a file. `None` if the file is a preset or a picture.
-///
-/// # Errors
-/// The file cannot be read, or is a mission that is wrong.
-pub fn read_mission(path: &Path) -> Result<Option<Mission>, SourceError> {
-    let bytes = contents(path)?;
-    if is_picture(&bytes) {
-        return Ok(None);
-    }
-    let text = text_of_source(path, bytes)?;
-    mission::is_mission(&text)
-        .then(|| mission::load(&path.display().to_string(), &text))
-        .transpose()
-        .map_err(SourceError::Mission)
-}
-
 /// The catalogue of a CSV file of stars.
 ///
 /// # Errors
@@ -190,31 +148,23 @@ pub fn read_stars(path: &Path) -> Result<Catalogue, SourceError> {
     Ok(catalogue)
 }
 
-/// The files of the user's own presets, which the window's panel saves.
-#[must_use]
-pub fn own_presets() -> Vec<PathBuf> {
-    presets_folder()
-        .map(|folder| preset_files(&folder))
-        .unwrap_or_default()
-}
-
-fn own_preset(name: &OsStr) -> Option<PathBuf> {
-    own_presets()
-        .into_iter()
-        .find(|file| file.file_stem() == Some(name))
-}
-
 /// The first bytes of a file, enough for every preset.
-fn contents(path: &Path) -> Result<Vec<u8>, SourceError> {
+pub(super) fn contents(path: &Path) -> Result<Vec<u8>, SourceError> {
     read(path, MAX_PRESET_BYTES).map_err(|error| no_text(path, error.into(), ""))
 }
 
 /// The text of a preset or journey file, or of the preset in a picture.
-fn text_of_source(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
+pub(super) fn text_of_source(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
     if is_picture(&bytes) {
         return embedded_preset(&bytes).ok_or(SourceError::NoPreset { path: path.into() });
     }
-    let no_text = |fault| no_text(path, fault, "; presets and journeys are short TOML texts");
+    let no_text = |fault| {
+        no_text(
+            path,
+            fault,
+            "; presets, missions and journeys are short TOML texts",
+        )
+    };
     let text = text_of(bytes, MAX_PRESET_BYTES).map_err(no_text)?;
     let says_nothing = |line: &str| line.trim().is_empty() || line.trim().starts_with('#');
     if text.lines().all(says_nothing) {
@@ -228,19 +178,5 @@ fn no_text(path: &Path, fault: TextError, remark: &'static str) -> SourceError {
         path: path.into(),
         fault,
         remark,
-    }
-}
-
-/// The preset that was probably meant, or all presets.
-fn preset_hint(given: &str) -> String {
-    let built_in = presets::PRESETS.iter().map(|preset| preset.name.to_owned());
-    let own = own_presets();
-    let own = own.iter().filter_map(|file| file.file_stem());
-    let names: Vec<String> = built_in
-        .chain(own.map(|name| name.to_string_lossy().into_owned()))
-        .collect();
-    match nearest_name(given, &names) {
-        Some(name) => format!("did you mean {name}?"),
-        None => format!("the presets are {}", presets::numbered_names()),
     }
 }

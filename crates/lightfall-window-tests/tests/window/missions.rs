@@ -1,7 +1,7 @@
 //! The ship and its first mission, flown in the window by keys and by a gamepad.
 
 use crate::PLAIN;
-use crate::desktop::Desktop;
+use crate::desktop::{Desktop, Setup};
 use watched::{Order, Pad, ShipState, State};
 
 /// Time of a frame, in seconds.
@@ -74,7 +74,7 @@ fn fly_two_burns(desktop: &Desktop, push: impl Fn(bool), change_pace: impl Fn(bo
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_first_mission_is_flown_by_keys_to_its_goal_and_the_result_is_kept() {
-    let mut desktop = begin();
+    let desktop = begin();
     // The key that closes the card pushes already.
     let push = |on| {
         if on {
@@ -114,11 +114,7 @@ fn the_first_mission_is_flown_by_keys_to_its_goal_and_the_result_is_kept() {
     desktop.wait_for("no ship", |state| state.ship.is_none());
     desktop.press("BackSpace");
     desktop.wait_for("the first scene", |state| state.number("camera.r") == 20.0);
-    assert!(
-        desktop.running() && !desktop.stderr().contains("ERROR"),
-        "{}",
-        desktop.stderr()
-    );
+    desktop.end_without_error();
 }
 
 #[test]
@@ -186,7 +182,7 @@ fn the_first_mission_is_flown_by_a_gamepad() {
         },
     );
     wait_for(&desktop, "success", |ship| ship.mission[1] == "Success");
-    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+    desktop.end_without_error();
 }
 
 #[test]
@@ -218,6 +214,20 @@ fn the_ship_is_held_paused_and_turned_by_keys_and_mouse_and_its_frames_are_pictu
         ship.hold.is_empty() && ship.acceleration == 0.0
     });
     assert_eq!(desktop.state().scene["observer.kind"], "rain");
+    // The panel states the error of the flight by every measure.
+    desktop.press("p");
+    desktop.click("Read-outs");
+    desktop.wait_for("the error of the flight", |state| {
+        [
+            "Stated error",
+            "Balance of E",
+            "Balance of L",
+            "Balance of K'",
+        ]
+        .iter()
+        .all(|row| state.shows(row))
+    });
+    desktop.press("p");
     // A preset leaves the ship.
     desktop.press("4");
     desktop.wait_for("preset 4", |state| {
@@ -268,4 +278,69 @@ fn the_question_of_a_mission_is_answered_after_its_goals_and_the_answer_is_kept(
     desktop.wait_for("the card with the answer", |state| {
         !has_question(state) && state.shows("Reached: The gyroscope")
     });
+}
+
+/// The first mission with another name and title.
+fn own_mission(name: &str, title: &str) -> String {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../assets/missions/two-burns.toml"
+    );
+    let text = std::fs::read_to_string(file).unwrap();
+    let changed = text
+        .replacen("name = \"two-burns\"", &format!("name = {name:?}"), 1)
+        .replacen("title = \"Two burns\"", &format!("title = {title:?}"), 1);
+    assert!(changed.contains(name) && changed.contains(title));
+    changed
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn own_missions_begin_from_the_command_line_the_list_and_a_dropped_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let given = path("given.toml");
+    std::fs::write(&given, own_mission("given", "From the command line")).unwrap();
+    let setup = Setup {
+        files: &[
+            (
+                "missions/listed.toml",
+                own_mission("listed", "From the list"),
+            ),
+            ("missions/wrong.toml", "[[goal]]\n".into()),
+        ],
+        ..Setup::default()
+    };
+    let desktop = Desktop::open_with(&setup, &["--preset", given.to_str().unwrap()]);
+    let begins = |name: &str, title: &str| {
+        let begun = desktop.wait_for(title, |state| {
+            has_card(state) && state.shows(title) && state.ship.is_some()
+        });
+        assert_eq!(ship(&begun).mission, [name, "UnderWay(0)"]);
+        assert_eq!(ship(&begun).own_time, 0.0);
+    };
+    begins("given", "From the command line");
+    // The frames before the first picture are too long for a key with Shift.
+    desktop.first_picture();
+    // The list names the wrong file, and offers the others.
+    desktop.press("shift+j");
+    desktop.wait_for("the list", |state| {
+        state.menu && state.shows("From the list") && state.mentions("wrong.toml: line")
+    });
+    desktop.click("From the list");
+    begins("listed", "From the list");
+
+    let dropped = path("dropped.toml");
+    std::fs::write(&dropped, own_mission("dropped", "Dropped")).unwrap();
+    desktop.order(&Order::Drop(dropped.clone()));
+    begins("dropped", "Dropped");
+    // A wrong file says the sentence of `lightfall presets check`, and the mission goes on.
+    let wrong = own_mission("dropped", "Dropped").replacen("brief = ", "brieff = ", 1);
+    std::fs::write(&dropped, wrong).unwrap();
+    desktop.order(&Order::Drop(dropped));
+    desktop.wait_for("the fault", |state| {
+        state.mentions("dropped.toml: line") && state.mentions("unknown field `brieff`")
+    });
+    assert_eq!(ship(&desktop.state()).mission[0], "dropped");
+    desktop.end_without_error();
 }

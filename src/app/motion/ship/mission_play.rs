@@ -83,6 +83,7 @@ pub(super) fn start_missions(
     mut starts: MessageReader<StartMission>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
+    mut asked: ResMut<AskedQuestion>,
     mut camera: CameraMotions,
     mut end_card: ResMut<EndCard>,
     preferences: Res<Preferences>,
@@ -95,6 +96,7 @@ pub(super) fn start_missions(
             continue;
         }
         camera.end();
+        asked.close();
         *play = MissionPlay::default();
         times.0.follow(Mission::clone(mission));
         let units = preferences.settings.units();

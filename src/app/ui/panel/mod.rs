@@ -23,7 +23,7 @@ use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
-use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::file_opener::FileOpener;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_render::PictureArea;
@@ -66,7 +66,7 @@ pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Panel>()
         .init_resource::<Rebinding>()
         .add_plugins((machine_page::plugin, step_count::plugin))
-        .add_systems(Update, (presets_page::load_dropped_files, open_settings))
+        .add_systems(Update, (presets_page::open_dropped_files, open_settings))
         .add_systems(EguiPrimaryContextPass, show_panel);
 }
 
@@ -87,7 +87,7 @@ fn show_panel(
     area: Res<PictureArea>,
     mut overlays: ResMut<Overlays>,
     mut panel: ResMut<Panel>,
-    mut editor: SceneEditor,
+    mut opener: FileOpener,
     mut preferences: ResMut<Preferences>,
     mut bindings: ResMut<Bindings>,
     mut pad_bindings: ResMut<PadBindings>,
@@ -126,20 +126,20 @@ fn show_panel(
             .auto_shrink(false)
             .show(ui, |ui| match panel.page {
                 Page::Scene => {
-                    let size = area.part.size();
-                    scene_page::show(ui, &mut editor, &steps, &bindings, &mut paused, size);
+                    let (size, editor) = (area.part.size(), &mut opener.editor);
+                    scene_page::show(ui, editor, &steps, &bindings, &mut paused, size);
                 }
-                Page::Presets => panel.presets.show(ui, &mut editor, &clipboard),
+                Page::Presets => panel.presets.show(ui, &mut opener, &clipboard),
                 Page::Readouts => {
                     let settings = &mut preferences.settings;
-                    let scene = &editor.drawn_scene();
+                    let scene = &opener.editor.drawn_scene();
                     panel
                         .readouts
                         .show(ui, scene, &free_fall, &bindings, settings);
                 }
                 Page::Machine => {
                     let chosen = &mut preferences.settings.adapter;
-                    panel.machine.show(ui, &machine, chosen, &editor);
+                    panel.machine.show(ui, &machine, chosen, &opener.editor);
                 }
                 Page::Limitations => limitations_page::show(ui, &bindings),
                 Page::Settings => settings_page::show(

@@ -1,18 +1,19 @@
-//! The page of presets: the built-in ones, the user's own, saving, and loading from a file. A preset
-//! file or picture dropped on the window is loaded, too.
+//! The page of presets: the built-in ones, the user's own, saving, and opening a file. A file dropped on
+//! the window is opened, too.
 
 use super::file_dialog::{FileDialog, Picked};
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::link::copy_link;
+use crate::app::state::file_opener::FileOpener;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use bevy::prelude::*;
 use bevy::window::FileDragAndDrop;
 use bevy_egui::egui;
-use lightfall_core::scene::{Scene, presets};
+use lightfall_core::scene::presets;
 use lightfall_platform::IN_BROWSER;
 use lightfall_platform::storage::{
-    create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
+    Opened, create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
     write_atomically,
 };
 use std::borrow::Cow;
@@ -41,26 +42,26 @@ impl PresetsPage {
     pub(super) fn show(
         &mut self,
         ui: &mut egui::Ui,
-        editor: &mut SceneEditor,
+        opener: &mut FileOpener,
         clipboard: &Clipboard,
     ) {
         heading(ui, "Built in");
-        show_built_in(ui, editor);
+        show_built_in(ui, &mut opener.editor);
         ui.add_space(10.0);
         heading(ui, "Open a file");
-        self.show_opening(ui, editor);
+        self.show_opening(ui, opener);
         ui.add_space(10.0);
         heading(ui, "Share");
-        show_sharing(ui, editor, clipboard);
+        show_sharing(ui, &mut opener.editor, clipboard);
         ui.add_space(10.0);
         heading(ui, "Your own");
         let Some(folder) = presets_folder() else {
             ui.label("This system has no folder for settings, so presets cannot be kept.");
             return;
         };
-        self.show_saving(ui, editor, &folder);
+        self.show_saving(ui, &mut opener.editor, &folder);
         ui.add_space(6.0);
-        self.show_own(ui, editor, &folder);
+        self.show_own(ui, opener, &folder);
         ui.add_space(6.0);
         if IN_BROWSER {
             note(ui, "They are kept in this browser, for this page.");
@@ -69,13 +70,13 @@ impl PresetsPage {
         }
     }
 
-    /// The fields that open a preset or a picture.
-    fn show_opening(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor) {
+    /// The fields that open a preset, a mission or a picture.
+    fn show_opening(&mut self, ui: &mut egui::Ui, opener: &mut FileOpener) {
         ui.horizontal(|ui| {
             // A page in a browser has no paths.
             if !IN_BROWSER {
                 let path = egui::TextEdit::singleline(&mut self.path)
-                    .hint_text("Path of a preset or picture")
+                    .hint_text("Path of a preset, mission or picture")
                     .desired_width(ui.available_width() - 150.0);
                 let field = ui.add(path);
                 let entered =
@@ -83,7 +84,7 @@ impl PresetsPage {
                 let given = !self.path.trim().is_empty();
                 let open = ui.add_enabled(given, egui::Button::new("Open"));
                 if open.clicked() || entered && given {
-                    self.open(editor, &PathBuf::from(self.path.trim()));
+                    self.open(opener, &PathBuf::from(self.path.trim()));
                 }
             }
             let browse = egui::Button::new("Browse");
@@ -92,25 +93,25 @@ impl PresetsPage {
             }
         });
         match self.dialog.answer() {
-            Some(Picked::File(file, scene)) => {
+            Some(Picked::File(file, opened)) => {
                 self.path = file.display().to_string();
-                self.load(editor, &file, *scene);
+                self.show_opened(opener, &file, *opened);
             }
             Some(Picked::NoDialog) => {
-                editor.say("This desktop offers no file dialog. Type the path, or drop the file on the window");
+                opener.editor.say("This desktop offers no file dialog. Type the path, or drop the file on the window");
             }
             Some(Picked::Nothing) | None => {}
         }
         let hint = if IN_BROWSER {
-            "A preset, or a picture that Lightfall saved."
+            "A preset, a mission, or a picture that Lightfall saved."
         } else {
-            "Or drop a preset, or a picture that Lightfall saved, on the window."
+            "Or drop a preset, a mission, or a picture that Lightfall saved, on the window."
         };
         note(ui, hint);
     }
 
     /// The list of the user's presets.
-    fn show_own(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, folder: &Path) {
+    fn show_own(&mut self, ui: &mut egui::Ui, opener: &mut FileOpener, folder: &Path) {
         let files = self
             .files
             .get_or_insert_with(|| {
@@ -127,7 +128,7 @@ impl PresetsPage {
             note(ui, "None yet.");
         }
         for (file, title) in files {
-            let is_open = editor.loaded_file() == Some(&*file);
+            let is_open = opener.editor.loaded_file() == Some(&*file);
             let name = stem(&file);
             let text = match title.as_str() {
                 "" => name.as_ref(),
@@ -137,7 +138,7 @@ impl PresetsPage {
                 .on_hover_text(name.as_ref())
                 .clicked()
             {
-                self.open(editor, &file);
+                self.open(opener, &file);
             }
         }
     }
@@ -185,14 +186,25 @@ impl PresetsPage {
         });
     }
 
-    fn open(&mut self, editor: &mut SceneEditor, file: &Path) {
-        self.load(editor, file, read_preset(file));
+    fn open(&mut self, opener: &mut FileOpener, file: &Path) {
+        let is_preset = opener.open(file);
+        self.note_opened(file, is_preset);
     }
 
-    /// Shows the scene that a file holds.
-    fn load(&mut self, editor: &mut SceneEditor, file: &Path, scene: Result<Scene, String>) {
+    fn show_opened(
+        &mut self,
+        opener: &mut FileOpener,
+        file: &Path,
+        opened: Result<Opened, String>,
+    ) {
+        let is_preset = opener.show(file, opened);
+        self.note_opened(file, is_preset);
+    }
+
+    /// Notes that a file was opened. The name of a preset of the user's is the one to save under.
+    fn note_opened(&mut self, file: &Path, is_preset: bool) {
         (self.replace, self.report) = (None, String::new());
-        if editor.load_file(file, scene) && file.parent() == presets_folder().as_deref() {
+        if is_preset && file.parent() == presets_folder().as_deref() {
             self.name = stem(file).into_owned();
         }
     }
@@ -232,7 +244,7 @@ fn stem(file: &Path) -> Cow<'_, str> {
 
 /// The title of the scene in a preset file. Empty if it has none or cannot be read.
 fn title_in(file: &Path) -> String {
-    read_preset(file).map_or_else(|_| String::new(), |scene| scene.title)
+    read_scene(file, &[]).map_or_else(|_| String::new(), |scene| scene.title)
 }
 
 fn show_built_in(ui: &mut egui::Ui, editor: &mut SceneEditor) {
@@ -277,21 +289,13 @@ fn note(ui: &mut egui::Ui, text: &str) {
     ui.label(egui::RichText::new(text).size(12.5).color(WEAK_TEXT));
 }
 
-/// The scene of a preset file or of a picture.
-///
-/// # Errors
-/// One sentence: the file cannot be read or is wrong.
-fn read_preset(file: &Path) -> Result<Scene, String> {
-    read_scene(file, &[]).map_err(|error| error.to_string())
-}
-
-pub(super) fn load_dropped_files(
+pub(super) fn open_dropped_files(
     mut drops: MessageReader<FileDragAndDrop>,
-    mut editor: SceneEditor,
+    mut opener: FileOpener,
 ) {
     for drop in drops.read() {
         if let FileDragAndDrop::DroppedFile { path_buf, .. } = drop {
-            editor.load_file(path_buf, read_preset(path_buf));
+            opener.open(path_buf);
         }
     }
 }

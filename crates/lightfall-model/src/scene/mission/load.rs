@@ -1,12 +1,13 @@
 //! From the text of a mission to the mission.
 
 use super::error::{Fault, MissionError};
-use super::text::{BurnText, Text};
+use super::text::{BurnText, HoleOfMission, Start, Text};
 use super::{Burn, Mission, Push, Until};
+use crate::scene::error::{SceneError, SceneFault};
 use crate::scene::from_toml::{syntax, table};
 use crate::scene::presets;
 use crate::scene::range::number;
-use crate::scene::{Override, Scene};
+use crate::scene::Override;
 
 /// Largest number of characters of a line of text, such as a title.
 const MAX_LINE: usize = 120;
@@ -46,7 +47,9 @@ fn read(text: &str) -> Result<Mission, Fault> {
     let preset = presets::find(&written.preset).ok_or_else(|| Fault::Preset {
         given: written.preset.clone(),
     })?;
-    let scene = start(preset, &written)?;
+    let scene = preset
+        .scene(&start_overrides(&written.hole, &written.start))
+        .map_err(Fault::Start)?;
     let solution = written.solution.into_iter().enumerate();
     Ok(Mission {
         name: written.name,
@@ -71,12 +74,11 @@ fn read(text: &str) -> Result<Mission, Fault> {
     })
 }
 
-/// The preset's scene with the mission's hole and observer, facing the hole.
-fn start(preset: &presets::Preset, written: &Text) -> Result<Scene, Fault> {
-    let start = &written.start;
+/// What a mission sets in its preset: its hole and its observer, which faces the hole.
+fn start_overrides(hole: &HoleOfMission, start: &Start) -> [Override; 9] {
     let [x, y, z] = start.velocity;
-    let fields = [
-        ("hole.spin", number(written.hole.spin)),
+    [
+        ("hole.spin", number(hole.spin)),
         ("camera.r", number(start.r)),
         ("camera.theta_deg", number(start.theta_deg)),
         ("camera.phi_deg", number(start.phi_deg)),
@@ -85,9 +87,31 @@ fn start(preset: &presets::Preset, written: &Text) -> Result<Scene, Fault> {
         ("camera.roll_deg", "0".into()),
         ("observer.kind", start.observer.word().into()),
         ("observer.velocity", format!("[{x:?}, {y:?}, {z:?}]")),
-    ];
-    let overrides = fields.map(|(key, value)| Override::new("start", key, &value));
-    preset.scene(&overrides).map_err(Fault::Start)
+    ]
+    .map(|(key, value)| Override::new("start", key, &value))
+}
+
+impl Mission {
+    /// The mission with other fields of its scene, such as those of the picture.
+    ///
+    /// # Errors
+    /// A field that the mission itself sets, or a value that the scene cannot have.
+    pub fn with(mut self, overrides: &[Override]) -> Result<Self, SceneError> {
+        if overrides.is_empty() {
+            return Ok(self);
+        }
+        let own = start_overrides(&self.hole, &self.start);
+        let is_own = |given: &&Override| own.iter().any(|own| own.key == given.key);
+        if let Some(Override { option, key, .. }) = overrides.iter().find(is_own) {
+            let (key, title) = (key.clone(), self.title);
+            return Err(SceneError::new(
+                option,
+                SceneFault::SetByMission { key, title },
+            ));
+        }
+        self.scene = self.preset.scene(&[&own, overrides].concat())?;
+        Ok(self)
+    }
 }
 
 fn check_texts(written: &Text) -> Result<(), Fault> {
@@ -114,6 +138,9 @@ fn check_texts(written: &Text) -> Result<(), Fault> {
     const LONG: &str = "one line of at most 400 characters";
     line("title".into(), &written.title, MAX_LINE, SHORT)?;
     line("brief".into(), &written.brief, MAX_TEXT, LONG)?;
+    if !written.teaches.is_empty() {
+        line("teaches".into(), &written.teaches, MAX_TEXT, LONG)?;
+    }
     line(
         "ending.success".into(),
         &written.ending.success,

@@ -2,7 +2,7 @@
 
 use super::Picked;
 use lightfall_platform::browser::pick_file;
-use lightfall_platform::storage::scene_of_file;
+use lightfall_platform::storage::open_contents;
 use std::path::PathBuf;
 
 /// Opens the dialog, and hands over what comes of it.
@@ -11,8 +11,8 @@ pub(super) fn ask(answer: impl FnOnce(Picked) + Clone + 'static) {
     let opened = pick_file(".toml,.png", move |file| {
         picked(file.map_or(Picked::Nothing, |(name, contents)| {
             let name = PathBuf::from(name);
-            let scene = scene_of_file(&name, contents, &[]).map_err(|error| error.to_string());
-            Picked::File(name, Box::new(scene))
+            let opened = open_contents(&name, contents, &[]).map_err(|error| error.to_string());
+            Picked::File(name, Box::new(opened))
         }));
     });
     if opened.is_err() {

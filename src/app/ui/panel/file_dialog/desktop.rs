@@ -3,21 +3,21 @@
 use super::Picked;
 use bevy::log::warn;
 use lightfall_platform::file_dialog::{FileRequest, pick_file};
-use lightfall_platform::storage::{presets_folder, read_scene};
+use lightfall_platform::storage::{open_file, presets_folder};
 
 /// Opens the dialog, in the folder of the user's presets if it exists, and hands over what comes of it.
 pub(super) fn ask(answer: impl FnOnce(Picked) + Send + 'static) {
     std::thread::spawn(move || {
         let picked = pick_file(&FileRequest {
-            title: "Open a preset or a picture",
-            kind: "Presets and pictures",
+            title: "Open a preset, a mission or a picture",
+            kind: "Presets, missions and pictures",
             extensions: &["toml", "png", "exr"],
             folder: presets_folder().filter(|folder| folder.is_dir()),
         });
         answer(match picked {
             Ok(Some(file)) => {
-                let scene = read_scene(&file, &[]).map_err(|error| error.to_string());
-                Picked::File(file, Box::new(scene))
+                let opened = open_file(&file, &[]).map_err(|error| error.to_string());
+                Picked::File(file, Box::new(opened))
             }
             Ok(None) => Picked::Nothing,
             Err(reason) => {

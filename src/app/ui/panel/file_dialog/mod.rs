@@ -9,16 +9,16 @@ mod desktop;
 use browser::ask;
 #[cfg(not(target_arch = "wasm32"))]
 use desktop::ask;
-use lightfall_core::scene::Scene;
+use lightfall_platform::storage::Opened;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 /// What came of the dialog.
 #[derive(Clone)]
 pub(super) enum Picked {
-    /// The user chose this file, which holds this scene, or why it holds none. A browser says only the
+    /// The user chose this file, which holds this, or why it holds nothing. A browser says only the
     /// file's name.
-    File(PathBuf, Box<Result<Scene, String>>),
+    File(PathBuf, Box<Result<Opened, String>>),
     /// The user cancelled the dialog.
     Nothing,
     /// There is no file dialog, or it gave no answer.
