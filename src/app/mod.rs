@@ -59,6 +59,7 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{Instrument, ReadOut, differences, instruments, physics_off, read_outs};
+pub use ui::panel::flight_error;
 pub use ui::layout::{Layout, Slide, Taken, Wish};
 
 use bevy::app::PluginGroupBuilder;

@@ -24,6 +24,7 @@ mod failures;
 #[cfg(target_os = "linux")]
 mod file_dialog;
 mod file_names;
+mod flight_error;
 mod flights;
 #[cfg(target_os = "linux")]
 #[path = "../../crates/lightfall-window-tests/tests/window/font_folder.rs"]

@@ -3,8 +3,10 @@
 
 mod field_value;
 mod file_dialog;
+mod flight_readouts;
 mod limitations_page;
 mod machine_page;
+mod mass_choice;
 mod number_field;
 mod presets_page;
 mod readouts_page;
@@ -13,17 +15,20 @@ mod settings_page;
 mod step_count;
 mod switch;
 
+pub use flight_readouts::flight_error;
+
 use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::input::typing::MouseOverPanel;
 use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::ship::ShipFlight;
 use crate::app::session::clipboard::Clipboard;
+use crate::app::state::file_opener::FileOpener;
 use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
-use crate::app::state::file_opener::FileOpener;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_render::PictureArea;
@@ -89,13 +94,13 @@ fn show_panel(
     mut panel: ResMut<Panel>,
     mut opener: FileOpener,
     mut preferences: ResMut<Preferences>,
-    mut bindings: ResMut<Bindings>,
-    mut pad_bindings: ResMut<PadBindings>,
+    (mut bindings, mut pad_bindings): (ResMut<Bindings>, ResMut<PadBindings>),
     pads: Query<&Gamepad>,
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
     machine: Machine,
-    (free_fall, mut paused): (Res<FreeFall>, ResMut<Paused>),
+    (free_fall, ship): (Res<FreeFall>, Res<ShipFlight>),
+    mut paused: ResMut<Paused>,
     mut over_panel: ResMut<MouseOverPanel>,
     steps: Res<StepCounter>,
     clipboard: Res<Clipboard>,
@@ -133,9 +138,8 @@ fn show_panel(
                 Page::Readouts => {
                     let settings = &mut preferences.settings;
                     let scene = &opener.editor.drawn_scene();
-                    panel
-                        .readouts
-                        .show(ui, scene, &free_fall, &bindings, settings);
+                    let flights = (&*free_fall, &*ship);
+                    panel.readouts.show(ui, scene, flights, &bindings, settings);
                 }
                 Page::Machine => {
                     let chosen = &mut preferences.settings.adapter;

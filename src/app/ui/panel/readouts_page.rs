@@ -1,14 +1,17 @@
 //! The page of read-outs: what the observer would measure, in units of the hole and, for a chosen
 //! mass, in SI units.
 
+use super::flight_readouts;
+use super::mass_choice::choose_mass;
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
-use crate::app::state::settings::{HOLE_MASSES, Settings};
+use crate::app::motion::ship::ShipFlight;
+use crate::app::state::settings::Settings;
 use crate::app::ui::help::RADIUS_UNIT;
 use bevy_egui::egui;
-use lightfall_core::numbers::{duration_in_words, from_words, in_words};
+use lightfall_core::numbers::{duration_in_words, in_words};
 use lightfall_core::optics::disk::inner_period;
-use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::readout::{HotSpotReadout, Readout};
 use lightfall_core::scene::{ObserverKind, Scene};
@@ -45,20 +48,25 @@ impl ReadoutsPage {
         &mut self,
         ui: &mut egui::Ui,
         scene: &Scene,
-        free_fall: &FreeFall,
+        (free_fall, ship): (&FreeFall, &ShipFlight),
         bindings: &Bindings,
         settings: &mut Settings,
     ) {
         let mass = choose_mass(ui, settings);
         let units = settings.units();
         ui.separator();
+        if let Some(voyage) = ship.voyage() {
+            flight_readouts::show(ui, &voyage.flight.ship, (mass, units));
+        }
         match self.readout(scene) {
             Ok(readout) => {
                 tables(ui, readout, scene.observer.kind, (mass, units));
                 if let Some(spot) = &readout.hot_spot {
                     echo(ui, spot, (mass, units));
                 }
-                clocks(ui, free_fall, bindings, (mass, units));
+                if !ship.is_flown() {
+                    clocks(ui, free_fall, bindings, (mass, units));
+                }
                 disk(ui, scene, (mass, units));
             }
             Err(reason) => {
@@ -194,13 +202,7 @@ fn clocks(
         ));
         return;
     };
-    let both = |time: f64| {
-        let seconds = measured(time * mass.seconds(), "s");
-        match units {
-            Units::Hole => format!("{} = {seconds}", measured(time, "r_s/c")),
-            Units::Everyday(_) => units.time(time, in_words),
-        }
-    };
+    let both = |time: f64| clock(time, (mass, units));
     let far = match worldline.coordinate_time() {
         Some(far) => ("Far time", both(far)),
         None => ("Ingoing time", both(worldline.ingoing_time())),
@@ -210,6 +212,15 @@ fn clocks(
         "Clocks since the observer was let go",
         &[("Own time", both(worldline.proper_time())), far],
     );
+}
+
+/// What a clock shows, in units of the hole and in seconds.
+pub(super) fn clock(time: f64, (mass, units): (HoleMass, Units)) -> String {
+    let seconds = measured(time * mass.seconds(), "s");
+    match units {
+        Units::Hole => format!("{} = {seconds}", measured(time, "r_s/c")),
+        Units::Everyday(_) => units.time(time, in_words),
+    }
 }
 
 /// The disk's clock, and the period of an orbit at its inner edge.
@@ -253,7 +264,7 @@ fn name_beside(name: &'static str, units: Units) -> &'static str {
     if units.are_simple() { name } else { "" }
 }
 
-fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
+pub(super) fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
     ui.strong(title);
     egui::Grid::new(title)
         .num_columns(2)
@@ -278,22 +289,4 @@ fn cell(ui: &mut egui::Ui, width: f32, text: egui::RichText) -> egui::Response {
         ui.add(egui::Label::new(text).wrap())
     })
     .inner
-}
-
-fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
-    let suns = &mut settings.hole_mass_suns;
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Mass");
-        for mass in MASSES {
-            ui.selectable_value(suns, mass.suns, mass.name);
-        }
-        let speed = *suns * 0.01;
-        let own = egui::DragValue::new(suns)
-            .range(HOLE_MASSES[0]..=HOLE_MASSES[1])
-            .speed(speed)
-            .suffix(" suns");
-        let own = own.custom_formatter(|suns, _| in_words(suns));
-        ui.add(own.custom_parser(from_words));
-    });
-    HoleMass::of_suns(*suns)
 }
