@@ -35,7 +35,7 @@ pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::ship::{
-    Engine, Flown, HEADINGS, HoldKind, News, Nose, Records, ShipFlight, ShipFrame, Stick, lamps,
+    Engine, Flown, HEADINGS, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, lamps,
     own_time_rate, path_ahead, solution_time,
 };
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
@@ -59,8 +59,8 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{Instrument, ReadOut, differences, instruments, physics_off, read_outs};
-pub use ui::panel::flight_error;
 pub use ui::layout::{Layout, Slide, Taken, Wish};
+pub use ui::panel::flight_error;
 
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;

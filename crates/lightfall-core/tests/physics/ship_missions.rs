@@ -1,7 +1,9 @@
 //! The built-in missions: their solutions reach their goals, and do not without their last burn.
 
 use lightfall_core::geometry::timelike::Limit;
-use lightfall_core::optics::ship::{Attempt, Event, Hold, Orders, Outcome, Thrust, fly};
+use lightfall_core::optics::ship::{
+    Apsides, Attempt, Event, Heading, Hold, Orders, Outcome, Records, Thrust, fly,
+};
 use lightfall_core::scene::mission::{Burn, MISSIONS, Mission, Push, Quantity, load};
 
 fn missions() -> Vec<Mission> {
@@ -25,7 +27,7 @@ fn solutions_reach_every_goal_and_do_not_without_their_last_burn() {
     for mission in missions() {
         let mut attempt = Attempt::new(&mission).unwrap();
         let outcome = fly(&mut attempt, &mission.solution);
-        let voyage = attempt.success().unwrap_or(attempt.voyage());
+        let voyage = attempt.scored();
         let quantity = |quantity| voyage.quantity(quantity).unwrap_or(f64::NAN);
         eprintln!(
             "{}: {outcome:?} reached {:.4?} rapidity {:.4} tau {:.4} t {:.4} r {:.4} E {:.4} ratio {:.4} life {:.4} error {:.0e}",
@@ -94,6 +96,55 @@ fn goals_are_reached_at_the_same_moment_in_frames_of_any_length() {
     }
 }
 
+/// A burn, half a turn in fast time past the lowest point, and a hold. The lowest point is also known
+/// from the roots of the radial motion, and the tide there from its formula without spin.
+#[test]
+fn the_extremes_of_a_flight_do_not_depend_on_the_rate_of_frames() {
+    let all = missions();
+    let mission = all.iter().find(|mission| mission.name == "two-burns");
+    let flights = [7, 30, 144].map(|frames_a_second| {
+        let mut attempt = Attempt::new(mission.unwrap()).unwrap();
+        let fly = |attempt: &mut Attempt, thrust, seconds: u32, rate: f64| {
+            attempt.order(Orders {
+                thrust,
+                ..Orders::COAST
+            });
+            for _ in 0..seconds * frames_a_second {
+                attempt.advance(rate / f64::from(frames_a_second)).unwrap();
+            }
+        };
+        fly(
+            &mut attempt,
+            Thrust::Along(Heading::Retrograde, 0.01),
+            1,
+            3.0,
+        );
+        let ship = &attempt.voyage().flight.ship;
+        let lowest = Apsides::of(ship).periapsis.unwrap();
+        let across = ship.constants().angular_momentum / lowest;
+        let tide = 0.5 / lowest.powi(3) * (2.0 + 3.0 * across * across);
+        fly(&mut attempt, Thrust::Off, 5, 48.0);
+        let passed = *attempt.voyage().records();
+        // The maxima are taken for ends of pieces where they lie within a hundred-thousandth of one.
+        assert!((passed.lowest / lowest - 1.0).abs() < 1e-9, "{passed:?}");
+        assert!((passed.tide / tide - 1.0).abs() < 1e-9, "{passed:?}");
+        assert!((passed.acceleration - 0.01).abs() < 1e-15, "{passed:?}");
+        fly(&mut attempt, Thrust::Hold(Hold::Hover(8.0), 0.3), 1, 3.0);
+        *attempt.voyage().records()
+    });
+    for records in &flights {
+        assert!(records.acceleration > 0.015, "the hold pushes: {records:?}");
+        for of in [
+            |records: &Records| records.acceleration,
+            |records: &Records| records.tide,
+            |records: &Records| records.lowest,
+        ] {
+            let differs = of(records) / of(&flights[0]) - 1.0;
+            assert!(differs.abs() < 1e-9, "{flights:?}");
+        }
+    }
+}
+
 #[test]
 fn attempts_fail_as_their_missions_say_and_end_where_flights_end() {
     for (name, expected) in [("graze", true), ("longest", false)] {
@@ -105,8 +156,15 @@ fn attempts_fail_as_their_missions_say_and_end_where_flights_end() {
         } else {
             assert_eq!(outcome, Outcome::Ended(Event::Limit(Limit::Inner)));
         }
+        let scored = *attempt.scored();
         let later = attempt.advance(1.0).unwrap();
         assert_eq!(later, outcome, "an attempt that is over stays as it is");
+        assert_eq!(*attempt.scored(), scored);
+        if expected {
+            // The moment of the failure, and not of the frame in which it happened.
+            assert!((scored.flight.ship.place().r - 1.02).abs() < 1e-9);
+            assert!((scored.records().lowest - 1.02).abs() < 1e-9);
+        }
     }
 }
 

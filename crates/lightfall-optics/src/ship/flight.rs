@@ -83,6 +83,7 @@ pub struct Flight {
     orders: Orders,
     tick: Option<Tick>,
     acceleration: DVec3,
+    peak_acceleration: f64,
     turned: f64,
 }
 
@@ -96,6 +97,7 @@ impl Flight {
             orders: Orders::COAST,
             tick: None,
             acceleration: DVec3::ZERO,
+            peak_acceleration: 0.0,
             turned: 0.0,
         }
     }
@@ -129,6 +131,11 @@ impl Flight {
     /// The proper acceleration of the engine now, in c^2/r_s on the ship's axes.
     pub fn acceleration(&self) -> DVec3 {
         self.acceleration
+    }
+
+    /// The largest proper acceleration so far, in c^2/r_s.
+    pub fn peak_acceleration(&self) -> f64 {
+        self.peak_acceleration
     }
 
     /// By how much the ship was turned against its gyroscopes so far, by hand or by `face`, in
@@ -166,8 +173,9 @@ impl Flight {
             let before = self.ship.proper_time();
             let limit = self.ship.advance(&tick.controls, length)?;
             let passed = self.ship.proper_time() - before;
-            self.rocket
-                .spend(tick.controls.acceleration.length() * passed);
+            let size = tick.controls.acceleration.length();
+            self.peak_acceleration = self.peak_acceleration.max(size);
+            self.rocket.spend(size * passed);
             self.turned += tick.controls.rotation.length() * passed;
             // A tick that ends with the frame, but for rounding, ends.
             let rest = tick.left - length;

@@ -50,8 +50,8 @@ pub struct Attempt {
     /// Since when the conditions of the next goal hold, in own time.
     held_since: Option<f64>,
     outcome: Outcome,
-    /// The flight at the moment when the last goal was reached.
-    success: Option<Voyage>,
+    /// The flight at the moment when the attempt was decided.
+    end: Option<Voyage>,
 }
 
 impl From<Course> for Heading {
@@ -91,7 +91,7 @@ impl Attempt {
             voyage,
             reached: Vec::new(),
             outcome: Outcome::UnderWay(0),
-            success: None,
+            end: None,
         })
     }
 
@@ -100,9 +100,10 @@ impl Attempt {
         &self.voyage
     }
 
-    /// The flight at the moment of success, which the result is that of.
-    pub fn success(&self) -> Option<&Voyage> {
-        self.success.as_ref()
+    /// The flight as it is scored: at the moment of success or failure or, while the attempt is under way,
+    /// now.
+    pub fn scored(&self) -> &Voyage {
+        self.end.as_ref().unwrap_or(&self.voyage)
     }
 
     /// How the attempt stands.
@@ -160,7 +161,7 @@ impl Attempt {
         let before = std::mem::replace(&mut self.voyage, voyage);
         self.watch(before)?;
         if let (Outcome::UnderWay(_), Some(event @ Event::Limit(_))) = (self.outcome, event) {
-            self.outcome = Outcome::Ended(event);
+            (self.outcome, self.end) = (Outcome::Ended(event), Some(voyage));
         }
         Ok(())
     }
@@ -177,17 +178,17 @@ impl Attempt {
                 break;
             };
             self.reached.push(time);
-            from = from.at(time)?;
+            from = from.on_to(time)?;
             let after = self.mission.goals.get(next + 1);
             self.outcome = after.map_or(Outcome::Success, |_| Outcome::UnderWay(next + 1));
             if self.outcome == Outcome::Success {
-                self.success = Some(from);
+                self.end = Some(from);
             }
             let holds = after.is_some_and(|goal| from.meets(&goal.all));
             self.held_since = holds.then_some(time);
         }
-        if let (Outcome::UnderWay(_), Some((_, index))) = (self.outcome, failure) {
-            self.outcome = Outcome::Failed(index);
+        if let (Outcome::UnderWay(_), Some((time, index))) = (self.outcome, failure) {
+            (self.outcome, self.end) = (Outcome::Failed(index), Some(from.on_to(time)?));
         }
         Ok(())
     }

@@ -13,6 +13,7 @@ mod life;
 mod mission;
 mod pose;
 mod quantities;
+mod records;
 mod rocket;
 mod solution;
 
@@ -25,5 +26,6 @@ pub use life::{longest_life, radial_life};
 pub use mission::{Attempt, Outcome, StartError};
 pub use pose::{BoardError, Mount, board, write_scene};
 pub use quantities::Voyage;
+pub use records::{Records, tide_of};
 pub use rocket::{Rocket, RocketError};
 pub use solution::{SolutionError, fly};

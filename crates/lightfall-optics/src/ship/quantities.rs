@@ -5,8 +5,8 @@ use super::clocks::Clocks;
 use super::flight::{Event, Flight};
 use super::heading::{motion_rate, speed_for_zamo};
 use super::life::radial_life;
+use super::records::{Records, tide_of};
 use crate::readout::si::HoleMass;
-use crate::readout::tide;
 use glam::DVec3;
 use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::ship::{Ship, ShipError, VectorConstants, minkowski};
@@ -39,6 +39,7 @@ pub struct Voyage {
     azimuth: f64,
     /// The own time at which the ship crossed the horizon inward.
     crossing: Option<f64>,
+    records: Records,
 }
 
 impl Voyage {
@@ -46,12 +47,18 @@ impl Voyage {
     pub fn new(flight: Flight, mass: HoleMass) -> Self {
         let (kerr, r) = (flight.ship.kerr(), flight.ship.place().r);
         Self {
+            records: Records::new(&flight),
             flight,
             mass,
             start_energy: flight.ship.constants().energy * flight.rocket.mass(),
             azimuth: 0.0,
             crossing: (r <= kerr.horizon()).then_some(0.0),
         }
+    }
+
+    /// The extremes of the flight so far.
+    pub fn records(&self) -> &Records {
+        &self.records
     }
 
     /// The longest own time to advance at once, in r_s/c.
@@ -64,6 +71,14 @@ impl Voyage {
     /// # Errors
     /// As those of [`Ship::advance`].
     pub fn advance(&mut self, proper_time: f64) -> Result<Option<Event>, ShipError> {
+        let before = self.flight;
+        let event = self.pass(proper_time)?;
+        self.records.add(&before, &self.flight);
+        Ok(event)
+    }
+
+    /// As [`advance`](Self::advance), without the records.
+    fn pass(&mut self, proper_time: f64) -> Result<Option<Event>, ShipError> {
         let before = *self;
         let event = self.flight.advance(proper_time)?;
         let outside = |ship: &Ship| ship.place().r > ship.kerr().horizon();
@@ -82,11 +97,21 @@ impl Voyage {
     }
 
     /// The voyage at an own time between that of `self` and that of a later state of it.
+    pub(super) fn on_to(&self, proper_time: f64) -> Result<Self, ShipError> {
+        let mut voyage = *self;
+        voyage.advance(self.until(proper_time))?;
+        Ok(voyage)
+    }
+
+    /// As [`on_to`](Self::on_to), to look at conditions: without the records.
     pub(super) fn at(&self, proper_time: f64) -> Result<Self, ShipError> {
         let mut voyage = *self;
-        let passed = proper_time - self.flight.ship.proper_time();
-        voyage.advance(passed.max(0.0))?;
+        voyage.pass(self.until(proper_time))?;
         Ok(voyage)
+    }
+
+    fn until(&self, proper_time: f64) -> f64 {
+        (proper_time - self.flight.ship.proper_time()).max(0.0)
     }
 
     /// Whether all these conditions hold.
@@ -138,12 +163,7 @@ impl Voyage {
                 flight.rocket.mass() * ship.constants().energy / self.start_energy
             }
             Quantity::LifeInside => self.life_inside(),
-            Quantity::Tide => tide(
-                place.kerr,
-                place.r,
-                place.n,
-                &ship.constants().photon(&place),
-            ),
+            Quantity::Tide => tide_of(ship),
             Quantity::GLoad => flight.acceleration().length() * mass.gees(),
         })
     }

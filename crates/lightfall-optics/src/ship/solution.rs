@@ -99,7 +99,7 @@ fn fly_part(attempt: &mut Attempt, number: usize, burn: &Burn) -> Result<(), Sol
                 } else {
                     before.moment(own, |voyage| voyage.meets(&conditions))
                 };
-                attempt.go_on_to(before.at(time)?, None)?;
+                attempt.go_on_to(before.on_to(time)?, None)?;
                 return Ok(());
             }
         }

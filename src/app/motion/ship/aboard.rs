@@ -1,6 +1,6 @@
 //! A ship with a pilot: what holds and turns it, and how fast its time passes.
 
-use super::flown::{Flown, Records};
+use super::flown::Flown;
 use super::nose::Nose;
 use super::pace::{Engine, own_time_rate};
 use super::ship_flight::HoldKind;
@@ -25,7 +25,6 @@ pub(super) struct Aboard {
     start: Flown,
     /// Whether the flight has come to its end, so that its time stands still.
     pub(super) has_ended: bool,
-    pub(super) records: Records,
     /// Where the camera was left, by which the ship notices that something else moves it.
     pub(super) last: Pose,
     /// The thrust that is set, as a share of the engine's.
@@ -75,7 +74,6 @@ impl Aboard {
             checkpoint: flown.clone(),
             start: flown.clone(),
             has_ended: false,
-            records: Records::of(flown.voyage()),
             flown,
             last: pose_of(scene),
             thrust: FIRST_THRUST,
@@ -91,7 +89,6 @@ impl Aboard {
     /// Goes back to the start.
     pub(super) fn begin_again(&mut self) {
         self.checkpoint = self.start.clone();
-        self.records = Records::of(self.start.voyage());
         self.return_to(self.start.clone());
         self.nose = self.first_nose;
     }

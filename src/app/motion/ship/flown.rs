@@ -3,7 +3,6 @@
 use super::pace::move_on;
 use glam::DVec3;
 use lightfall_core::geometry::ship::{Ship, ShipError};
-use lightfall_core::optics::readout::tide;
 use lightfall_core::optics::ship::{Attempt, Orders, Voyage};
 use lightfall_core::scene::mission::{Comparison, Quantity};
 
@@ -74,44 +73,4 @@ impl Flown {
             .filter(|condition| condition.comparison != Comparison::Equal);
         radii.map(|condition| condition.value).collect()
     }
-}
-
-/// The extremes of a flight so far, as its frames saw them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Records {
-    /// The largest proper acceleration, in c^2/r_s.
-    pub acceleration: f64,
-    /// The largest tidal stretching, in c^2/r_s^2.
-    pub tide: f64,
-    /// The smallest radius, in r_s.
-    pub lowest: f64,
-}
-
-impl Records {
-    /// Those of a flight that begins.
-    #[must_use]
-    pub fn of(voyage: &Voyage) -> Self {
-        let ship = &voyage.flight.ship;
-        Self {
-            acceleration: voyage.flight.acceleration().length(),
-            tide: tide_of(ship),
-            lowest: ship.place().r,
-        }
-    }
-
-    /// With those of a moment more.
-    pub(super) fn note(&mut self, voyage: &Voyage) {
-        let now = Self::of(voyage);
-        self.acceleration = self.acceleration.max(now.acceleration);
-        self.tide = self.tide.max(now.tide);
-        self.lowest = self.lowest.min(now.lowest);
-    }
-}
-
-/// The largest tidal stretching, in c^2/r_s^2.
-#[must_use]
-pub(crate) fn tide_of(ship: &Ship) -> f64 {
-    let place = ship.place();
-    let photon = ship.constants().photon(&place);
-    tide(place.kerr, place.r, place.n, &photon)
 }

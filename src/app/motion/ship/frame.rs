@@ -91,7 +91,6 @@ impl Aboard {
         if self.flown.goals_reached() > goals {
             self.checkpoint = self.flown.clone();
         }
-        self.records.note(self.flown.voyage());
         let mut news = None;
         if let Some((_, stop)) = stop {
             self.pace = 1.0;

@@ -1,6 +1,6 @@
 //! A mission under way: its captions, its goals, and what is said and kept at its end.
 
-use super::score::{lamps, result, solution_time};
+use super::score::{lamps, solution_time};
 use super::ship_flight::ShipFlight;
 use super::words;
 use crate::app::motion::camera_motions::CameraMotions;
@@ -21,7 +21,8 @@ use std::time::Duration;
 /// What the window remembers of a mission besides the flight.
 #[derive(Resource, Default, Debug)]
 pub(crate) struct MissionPlay {
-    /// How many attempts have failed.
+    /// How many attempts have come to their end, and how many of them have failed.
+    ended: u32,
     failed: u32,
     /// Which captions were shown.
     shown: Vec<bool>,
@@ -42,6 +43,7 @@ impl MissionPlay {
     /// Begins another attempt.
     pub(super) fn begin_again(&mut self) {
         *self = Self {
+            ended: self.ended,
             failed: self.failed,
             ..Self::default()
         };
@@ -144,13 +146,13 @@ pub(super) fn watch_mission(
     };
     play.told = true;
     play.caption = None;
+    play.ended += 1;
     let has_succeeded = attempt.outcome() == Outcome::Success;
     if !has_succeeded {
         play.failed += 1;
     }
     let lit = lamps(attempt, solution_time);
-    let attempts = play.failed + u32::from(has_succeeded);
-    let kept = result_row(&ship, attempt, lit, attempts);
+    let kept = result_row(attempt, lit, play.ended);
     let units = preferences.settings.units();
     let hint = (!has_succeeded)
         .then(|| due_hint(&attempt.mission.hints, play.failed))
@@ -175,18 +177,12 @@ fn due_hint(hints: &[Hint], failed: u32) -> Option<&str> {
 }
 
 /// What is kept of an attempt.
-fn result_row(
-    ship: &ShipFlight,
-    attempt: &Attempt,
-    lit: [bool; 3],
-    attempts: u32,
-) -> MissionResult {
+fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult {
     let mission = &attempt.mission;
-    let flown = result(attempt);
+    let flown = attempt.scored();
     let mass = HoleMass::of_suns(mission.hole.mass_suns);
     let clocks = Clocks::new(&flown.flight.ship);
-    let records = ship.records();
-    let peak = |of: fn(&super::Records) -> f64| records.as_ref().map_or(0.0, of);
+    let records = flown.records();
     let par = mission.pars.first();
     MissionResult {
         mission: mission.name.clone(),
@@ -197,9 +193,9 @@ fn result_row(
         far_time: clocks.far,
         rapidity_used: flown.flight.rocket.used(),
         par: par.and_then(|par| Some((par.quantity, flown.quantity(par.quantity)?))),
-        peak_g: peak(|records| records.acceleration) * mass.gees(),
-        peak_tide: peak(|records| records.tide) * mass.gees() / mass.metres(),
-        lowest: peak(|records| records.lowest),
+        peak_g: records.acceleration * mass.gees(),
+        peak_tide: records.tide * mass.gees() / mass.metres(),
+        lowest: records.lowest,
         error: flown.flight.ship.error().stated(),
         answer: None,
     }

@@ -18,8 +18,7 @@ mod stick;
 mod words;
 
 pub(super) use commands::advance_ship;
-pub(crate) use flown::tide_of;
-pub use flown::{Flown, Records};
+pub use flown::Flown;
 pub use frame::{News, ShipFrame};
 pub(crate) use mission_play::MissionPlay;
 pub use nose::{HEADINGS, Nose};

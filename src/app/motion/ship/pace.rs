@@ -111,9 +111,8 @@ fn is_round(voyage: &Voyage) -> bool {
 /// When the voyage passes a radius within `time`.
 fn passing(voyage: &Voyage, time: f64, radius: f64) -> Option<f64> {
     let is_above = |after: f64| {
-        let mut ahead = *voyage;
-        let moved = move_on(&mut ahead, after);
-        moved.is_ok() && ahead.flight.ship.place().r > radius
+        let mut ahead = voyage.flight;
+        ahead.advance(after).is_ok() && ahead.ship.place().r > radius
     };
     let before = voyage.flight.ship.place().r > radius;
     if is_above(time) == before {

@@ -11,18 +11,12 @@ const NEAR: f64 = 1.1;
 #[must_use]
 pub fn lamps(attempt: &Attempt, solution_time: Option<f64>) -> [bool; 3] {
     let reached = attempt.outcome() == Outcome::Success;
-    let flown = result(attempt);
+    let flown = attempt.scored();
     let par = attempt.mission.pars.first();
     let is_near = par.is_none_or(|par| is_near_par(par, flown));
     let own_time = flown.flight.ship.proper_time();
     let is_quick = solution_time.is_none_or(|time| own_time <= NEAR * time);
     [reached, reached && is_near, reached && is_quick]
-}
-
-/// The flight at the moment of success or, without it, at its end.
-#[must_use]
-pub fn result(attempt: &Attempt) -> &Voyage {
-    attempt.success().unwrap_or(attempt.voyage())
 }
 
 fn is_near_par(par: &Par, flown: &Voyage) -> bool {
@@ -39,7 +33,6 @@ fn is_near_par(par: &Par, flown: &Voyage) -> bool {
 #[must_use]
 pub fn solution_time(mission: &Mission) -> Option<f64> {
     let mut attempt = Attempt::new(mission).ok()?;
-    fly(&mut attempt, &mission.solution).ok()?;
-    let success = attempt.success()?;
-    Some(success.flight.ship.proper_time())
+    let outcome = fly(&mut attempt, &mission.solution).ok()?;
+    (outcome == Outcome::Success).then(|| attempt.scored().flight.ship.proper_time())
 }

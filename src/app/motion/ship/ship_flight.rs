@@ -2,7 +2,7 @@
 //! fast its time passes.
 
 use super::aboard::{Aboard, first_nose, hold_here};
-use super::flown::{Flown, Records};
+use super::flown::Flown;
 use super::nose::Nose;
 use super::pace::{Engine, PACE_STEP, SLOWEST};
 use bevy::prelude::Resource;
@@ -117,12 +117,6 @@ impl ShipFlight {
     pub fn mass(&self) -> Option<HoleMass> {
         let attempt = self.attempt()?;
         Some(HoleMass::of_suns(attempt.mission.hole.mass_suns))
-    }
-
-    /// The extremes of the flight so far.
-    #[must_use]
-    pub fn records(&self) -> Option<Records> {
-        self.aboard.as_ref().map(|aboard| aboard.records)
     }
 
     /// What holds the ship.

@@ -1,13 +1,13 @@
 //! The values of the ship's instruments, in words.
 
-use crate::app::motion::ship::{ShipFlight, heading_words, tide_of};
+use crate::app::motion::ship::{ShipFlight, heading_words};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, ratio, three_digits};
 use lightfall_core::optics::readout::held_acceleration;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{
-    Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, time_to_apsis,
+    Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
 };
 use lightfall_core::scene::ObserverKind;
 
