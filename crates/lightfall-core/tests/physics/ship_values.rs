@@ -8,10 +8,12 @@ use lightfall_core::geometry::ship::{
     Controls, Place, Ship, VectorConstants, boost, components, zamo_axes,
 };
 use lightfall_core::optics::readout::held_acceleration_components;
+use lightfall_core::optics::readout::si::MASSES;
 use lightfall_core::optics::ship::{
-    Clocks, Flight, Hold, Mount, Orders, Rocket, Thrust, board, longest_life, radial_life,
+    Clocks, Flight, Hold, Mount, Orders, Rocket, Thrust, Voyage, board, longest_life, radial_life,
 };
 use lightfall_core::scene::ObserverKind;
+use lightfall_core::scene::mission::Quantity;
 use std::f64::consts::FRAC_PI_2;
 
 /// The numbers have ten decimals.
@@ -228,4 +230,45 @@ fn burns_cost_the_rapidity_of_the_closed_forms() {
         });
         assert_digits("to leave", acceleration * time, expected);
     }
+}
+
+/// The gas circles with v^2 = M/(r - 2 M) for those at rest. Where its plane crosses the equator, it
+/// rises there by the tilt.
+#[test]
+fn the_speed_past_the_gas_is_that_past_the_gas_of_a_tilted_disk() {
+    const R: f64 = 8.0;
+    const TILT: f64 = 30.0;
+    const NODE: f64 = 40.0;
+    let speed = (0.5 / (R - 1.0)).sqrt();
+    let (sin, cos) = f64::to_radians(TILT).sin_cos();
+    let gas_speed = |tilt: f64, phi: f64, theta: f64, velocity: [f64; 3]| {
+        let mut scene = scene(0.0, ObserverKind::Static, velocity, R, theta);
+        scene.camera.phi_deg = phi;
+        (scene.disk.tilt_deg, scene.disk.node_deg) = (tilt, NODE);
+        let ship = board(&scene, &Mount::NOSE).unwrap();
+        let rocket = Rocket::new(1.0, 1.0, 1.0).unwrap();
+        let voyage = Voyage::new(Flight::new(ship, rocket), MASSES[0], &scene.disk);
+        voyage.quantity(Quantity::GasSpeed)
+    };
+    let along_phi = [0.0, 0.0, speed];
+    let along_gas = [0.0, -speed * sin, speed * cos];
+    let past = |cosine: f64| {
+        // The speed of two with the same speed, at this angle to each other.
+        let gamma = (1.0 - speed * speed * cosine) / (1.0 - speed * speed);
+        (1.0 - 1.0 / (gamma * gamma)).sqrt()
+    };
+    // A speed of zero is the root of a rounding.
+    for (tilt, velocity, expected, tolerance) in [
+        (0.0, along_phi, 0.0, 1e-7),
+        (TILT, along_gas, 0.0, 1e-7),
+        (TILT, along_phi, past(cos), 1e-12),
+        (0.0, along_gas, past(cos), 1e-12),
+    ] {
+        let found = gas_speed(tilt, NODE, 90.0, velocity).unwrap();
+        assert_near("gas_speed", found, expected, tolerance);
+    }
+    // A quarter of a turn on, the gas is above the equator.
+    assert_eq!(gas_speed(TILT, NODE + 90.0, 90.0, along_phi), None);
+    let found = gas_speed(TILT, NODE + 90.0, 90.0 - TILT, along_phi).unwrap();
+    assert_near("gas_speed at the highest point", found, 0.0, 1e-7);
 }

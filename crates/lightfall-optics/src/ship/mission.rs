@@ -83,7 +83,7 @@ impl Attempt {
             ship_of_mission.exhaust,
         )?;
         let mass = HoleMass::of_suns(mission.hole.mass_suns);
-        let voyage = Voyage::new(Flight::new(ship, rocket), mass);
+        let voyage = Voyage::new(Flight::new(ship, rocket), mass, &mission.scene().disk);
         let goal = &mission.goals[0];
         Ok(Self {
             held_since: voyage.meets(&goal.all).then_some(0.0),

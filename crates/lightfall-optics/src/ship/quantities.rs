@@ -11,6 +11,7 @@ use glam::DVec3;
 use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::ship::{Ship, ShipError, VectorConstants, minkowski};
 use lightfall_model::geometry::sphere::wrap_angle;
+use lightfall_model::scene::Disk;
 use lightfall_model::scene::mission::{Condition, Quantity};
 use std::f64::consts::TAU;
 
@@ -24,7 +25,7 @@ const MAX_PIECE: f64 = 0.3;
 /// Number of halvings that find when something happens to the last digit.
 const HALVINGS: u32 = 52;
 
-/// How far from the equator, as a cosine, a ship counts as in the gas of a disk.
+/// How far from the plane of a disk, as a cosine, a ship counts as in the gas of a disk.
 const IN_GAS: f64 = 1e-3;
 
 /// A flight, with what its quantities need to know of its past.
@@ -33,6 +34,8 @@ pub struct Voyage {
     /// The flight.
     pub flight: Flight,
     mass: HoleMass,
+    /// The normal of the disk, in the hole's frame.
+    disk_normal: DVec3,
     /// E at the start, with a full tank.
     start_energy: f64,
     /// Boyer-Lindquist's azimuth since the start, in radians; outside the horizon only.
@@ -43,13 +46,14 @@ pub struct Voyage {
 }
 
 impl Voyage {
-    /// A voyage around a hole of this mass, which begins now.
-    pub fn new(flight: Flight, mass: HoleMass) -> Self {
+    /// A voyage around a hole of this mass with this disk, which begins now.
+    pub fn new(flight: Flight, mass: HoleMass, disk: &Disk) -> Self {
         let (kerr, r) = (flight.ship.kerr(), flight.ship.place().r);
         Self {
             records: Records::new(&flight),
             flight,
             mass,
+            disk_normal: disk.hole_from_disk().z_axis,
             start_energy: flight.ship.constants().energy * flight.rocket.mass(),
             azimuth: 0.0,
             crossing: (r <= kerr.horizon()).then_some(0.0),
@@ -155,7 +159,7 @@ impl Voyage {
             Quantity::Apoapsis => return None,
             Quantity::Turns => self.azimuth.abs() / TAU,
             Quantity::Speed => speed_for_zamo(ship)?,
-            Quantity::GasSpeed => gas_speed(ship)?,
+            Quantity::GasSpeed => gas_speed(ship, self.disk_normal)?,
             Quantity::Thrust => flight.acceleration().length(),
             Quantity::RapidityUsed => flight.rocket.used(),
             Quantity::RotationUsedDeg => flight.turned().to_degrees(),
@@ -188,18 +192,19 @@ fn far_azimuth(ship: &Ship) -> f64 {
     place.azimuth().unwrap_or(0.0) - place.kerr.camera_azimuth_lead(place.r)
 }
 
-/// The speed relative to matter on the circular orbit at the ship's place, in the hole's equator.
-fn gas_speed(ship: &Ship) -> Option<f64> {
+/// The speed relative to matter on the circular orbit at the ship's place, in the plane of the disk with
+/// this normal. Only without spin are there disks in another plane than the equator.
+fn gas_speed(ship: &Ship, normal: DVec3) -> Option<f64> {
     let place = ship.place();
     let orbit = place.kerr.circular_orbit(place.r)?;
-    if place.n.z.abs() > IN_GAS {
+    if place.n.dot(normal).abs() > IN_GAS {
         return None;
     }
     let gas = VectorConstants {
         energy: orbit.energy,
-        angular_momentum: orbit.angular_momentum,
+        angular_momentum: orbit.angular_momentum * normal.z,
         radial: 0.0,
-        w: orbit.angular_momentum * DVec3::Z.cross(place.n).normalize(),
+        w: orbit.angular_momentum * normal.cross(place.n).normalize(),
         mass2: 1.0,
     }
     .vector(&place);

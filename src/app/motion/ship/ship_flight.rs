@@ -48,7 +48,7 @@ impl ShipFlight {
         let [rapidity, acceleration, exhaust] = FREE_ROCKET;
         let rocket = Rocket::new(rapidity, acceleration, exhaust)
             .expect("the constants are those of a rocket");
-        let voyage = Voyage::new(Flight::new(ship, rocket), mass);
+        let voyage = Voyage::new(Flight::new(ship, rocket), mass, &scene.disk);
         self.begin(
             Flown::Free(Box::new(voyage)),
             scene,
