@@ -27,7 +27,7 @@ const FINGERS: [[&str; 2]; 4] = [
 /// Arrangements of the headings in columns. The first one that fits the window is used.
 const COLUMNS: [&[&[Group]]; 4] = [
     &[&[Flight], &[Light, Scene], &[View, Picture], &[Window]],
-    &[&[Flight], &[Light, Scene, View], &[Picture, Window]],
+    &[&[Flight, Light], &[Scene, View], &[Picture, Window]],
     &[&[Light, Flight, View], &[Scene, Picture, Window]],
     &[&Group::ALL],
 ];
@@ -40,10 +40,12 @@ const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
 ];
 /// Name of the help's window.
 pub(crate) const HELP: &str = "Help";
-/// Width of a column, in points.
-const COLUMN_WIDTH: f32 = 320.0;
-/// Width of the keys in a column, in points.
-const KEYS_WIDTH: f32 = 104.0;
+/// Mean width of a column with the room after it, in points: a few more than the words take.
+const COLUMN_WIDTH: f32 = 350.0;
+/// Room between two columns, in points.
+const COLUMN_GAP: f32 = 20.0;
+/// Least width of the keys in a column, in points.
+const KEYS_WIDTH: f32 = 90.0;
 /// Colour of the groups' headings: that of the disk's light.
 const HEADING: egui::Color32 = egui::Color32::from_rgb(255, 200, 130);
 /// The meaning of the unit of length, for beginners.
@@ -151,7 +153,7 @@ fn show_help(
                 .max_height((room.y - TITLE_HEIGHT).max(40.0))
                 .show(ui, |ui| {
                     ui.horizontal_top(|ui| {
-                        ui.spacing_mut().item_spacing.x = 24.0;
+                        ui.spacing_mut().item_spacing.x = COLUMN_GAP;
                         for (place, groups) in columns.iter().enumerate() {
                             ui.vertical(|ui| {
                                 groups.iter().for_each(|group| {
@@ -182,6 +184,8 @@ fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
     egui::Grid::new(title)
         .num_columns(2)
         .min_col_width(KEYS_WIDTH)
+        // As high as the words: a list to read needs no room for a finger.
+        .min_row_height(0.0)
         .spacing([10.0, 2.0])
         .show(ui, |ui| {
             for [keys, does] in rows {

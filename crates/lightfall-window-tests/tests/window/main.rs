@@ -20,6 +20,7 @@ mod font_folder;
 mod gamepad;
 mod glyphs;
 mod hands;
+mod help;
 mod inspector;
 mod keys;
 mod latency;
