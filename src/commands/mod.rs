@@ -26,6 +26,7 @@ mod unused;
 pub use console::StandardError;
 pub use presets::presets;
 pub use progress::in_words;
+pub use render::still_drawing;
 pub use run::{run, run_with};
 pub use scene::{journey, opened, scene};
 pub use stop::Stop;

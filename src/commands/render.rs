@@ -7,6 +7,7 @@ mod times;
 mod writer;
 
 use self::checks::{check_files, check_memory, check_times_file};
+pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
 use self::times::{TIMED_FRAMES, print_times, write_times};
@@ -87,12 +88,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         frames: pictures.numbers().len() as u32,
         fps: args.frames.map(|_| args.fps),
     };
-    let _patience = pictures.sequence.is_none().then(|| {
-        LongWork::new(format!(
-            "still drawing {} x {} pixels; without a graphics card a large picture takes minutes",
-            size.x, size.y
-        ))
-    });
+    let _patience = pictures
+        .sequence
+        .is_none()
+        .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
     let bar = if pictures.sequence.is_some() {
         progress(pictures.numbers().len())
     } else {

@@ -4,13 +4,14 @@ use super::PictureError;
 use super::headless::{HeadlessOptions, MAX_UPDATES, drawable, headless};
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
-use bevy::render::renderer::RenderDevice;
+use bevy::render::renderer::{RenderAdapterInfo, RenderDevice};
 use lightfall_core::scene::{Frame, Scene, fit};
 use lightfall_platform::storage::PictureRecord;
 use lightfall_render::{
     Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
     StarCatalogue,
 };
+use wgpu::DeviceType;
 
 /// A finished picture.
 pub struct Still {
@@ -93,6 +94,13 @@ impl Studio {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         self.app.world().resource::<CurrentScene>().scene()
+    }
+
+    /// Whether the adapter is hardware or a program; `None` if no device is open.
+    #[must_use]
+    pub fn adapter_kind(&self) -> Option<DeviceType> {
+        let info = self.app.world().get_resource::<RenderAdapterInfo>();
+        info.map(|info| info.device_type)
     }
 
     /// The record of a picture of this scene that the studio draws.

@@ -4,9 +4,11 @@ use super::pictures::Pictures;
 use super::with_size;
 use crate::commands::cli::RenderArgs;
 use crate::commands::unused::{Suspect, note_idle_preset, note_unused};
+use glam::UVec2;
 use lightfall_core::scene::{Output, Picture, Scene, SkyMode, fit};
 use lightfall_picture::Format;
 use lightfall_platform::log::say;
+use wgpu::DeviceType;
 
 /// Warns that `--stars` has no effect here.
 pub(super) fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
@@ -53,6 +55,18 @@ pub(super) fn note_darkness(scene: &Scene) {
             "lightfall: nothing shines in this scene; {disk} or {sky} brings light"
         ));
     }
+}
+
+/// What is said of a picture of this size that takes long, on an adapter of this kind.
+#[must_use]
+pub fn still_drawing(size: UVec2, kind: Option<DeviceType>) -> String {
+    let UVec2 { x, y } = size;
+    let why = match kind {
+        Some(DeviceType::Cpu) => "; without a graphics card a large picture takes minutes",
+        // A graphics card is slow while its driver compiles.
+        _ => "",
+    };
+    format!("still drawing {x} x {y} pixels{why}")
 }
 
 /// Says which options change nothing, and returns those of which only the pictures can tell.

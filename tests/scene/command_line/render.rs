@@ -2,6 +2,7 @@
 
 use super::{read, refuse};
 use clap::error::ErrorKind;
+use lightfall::commands;
 use lightfall::commands::cli::Command;
 use std::path::Path;
 
@@ -93,4 +94,17 @@ fn render_reads_channels_timings_and_frames() {
     ] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict, "{line}");
     }
+}
+
+#[test]
+fn only_an_adapter_that_is_a_program_is_said_to_need_a_graphics_card() {
+    use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
+    let said = |kind| commands::still_drawing([1920, 1080].into(), kind);
+    let plain = "still drawing 1920 x 1080 pixels";
+    let slow = "; without a graphics card a large picture takes minutes";
+    assert_eq!(said(Some(Cpu)), format!("{plain}{slow}"));
+    for kind in [DiscreteGpu, IntegratedGpu, VirtualGpu, Other].map(Some) {
+        assert_eq!(said(kind), plain);
+    }
+    assert_eq!(said(None), plain);
 }
