@@ -27,7 +27,7 @@ pub use path::path_ahead;
 pub use score::{lamps, solution_time};
 pub use ship_flight::{HoldKind, ShipFlight};
 pub use stick::Stick;
-pub(crate) use words::heading_words;
+pub(crate) use words::{heading_words, multiple};
 
 use bevy::prelude::*;
 

@@ -71,12 +71,19 @@ pub(super) fn boarded(bindings: &Bindings) -> String {
 /// How fast the ship's time passes.
 pub(super) fn pace(ship: &ShipFlight, units: Units) -> String {
     let rate = units.time(ship.rate(), four_digits);
-    let pace = ship.pace();
-    let times = match pace {
-        pace if pace >= 1.0 => format!("{pace:.0} times the usual pace"),
-        pace => format!("1/{:.0} of the usual pace", 1.0 / pace),
-    };
-    format!("Time: {times}, {rate} a second")
+    format!(
+        "Time: {} × the usual pace, {rate} a second",
+        multiple(ship.pace())
+    )
+}
+
+/// A multiple of the usual pace, which is a power of two.
+pub(crate) fn multiple(pace: f64) -> String {
+    if pace < 1.0 {
+        format!("1/{:.0}", 1.0 / pace)
+    } else {
+        format!("{pace:.0}")
+    }
 }
 
 /// What has happened in a frame.

@@ -1,6 +1,6 @@
 //! The values of the ship's instruments, in words.
 
-use crate::app::motion::ship::{ShipFlight, heading_words};
+use crate::app::motion::ship::{ShipFlight, heading_words, multiple};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, ratio, three_digits};
 use lightfall_core::optics::readout::held_acceleration;
@@ -180,12 +180,8 @@ fn held(hold: Hold, units: Units) -> String {
 }
 
 fn time(flown: &ShipFlight, units: Units) -> String {
-    let pace = match flown.pace() {
-        pace if pace < 1.0 => format!("1/{:.0}", 1.0 / pace),
-        pace => format!("{pace:.0}"),
-    };
     let rate = units.time(flown.rate(), three_digits);
-    format!("{pace} ×, {rate} a second")
+    format!("{} ×, {rate} a second", multiple(flown.pace()))
 }
 
 /// How long a signal takes to reach home, and by how much home's light is shifted.
