@@ -59,6 +59,7 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{Instrument, ReadOut, differences, instruments, physics_off, read_outs};
+pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};
 pub use ui::panel::flight_error;
 
@@ -76,6 +77,7 @@ use lightfall_platform::log::{quiet_log, say};
 use lightfall_render::recovery::DeviceFailure;
 use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
+use state::lessons::GuidedJourney;
 use state::light_meter::LightMeter;
 use state::missions::StartMission;
 use state::paused::Paused;
@@ -205,6 +207,7 @@ pub fn program(start: Start) -> App {
         .insert_resource(LightMeter::at(scene.picture.exposure_ev))
         .insert_resource(DiskClock::at(scene.disk.time))
         .insert_resource(title)
+        .insert_resource(GuidedJourney(player.journey().clone()))
         .insert_resource(player)
         .insert_resource(adapter)
         .insert_resource(StarCatalogue(stars))
@@ -215,7 +218,8 @@ pub fn program(start: Start) -> App {
         })
         .add_plugins((
             (state::toast::plugin, state::helm::plugin),
-            state::missions::plugin,
+            (state::missions::plugin, state::lessons::plugin),
+            state::lesson_draft::plugin,
             state::end_card::plugin,
             state::menu::plugin,
             state::notice::plugin,
@@ -252,7 +256,8 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             motion::pilot::plugin,
             motion::zoom::plugin,
-            motion::journey::plugin,
+            (motion::journey::plugin, motion::stops::plugin),
+            motion::lesson::plugin,
             motion::free_fall::plugin,
             motion::ship::plugin,
             motion::edge_view::plugin,

@@ -4,7 +4,7 @@ use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::glyphs::note_lacking;
 use super::output::print;
-use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, opened, stars};
+use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, on_stage, opened, stars};
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
@@ -24,15 +24,16 @@ use std::path::{Path, PathBuf};
 
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
-    let (scene, mission) = opened(&args.scene)?.into_parts();
-    let stars = stars(&args.scene)?;
-    let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
     if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
         return Err(Stop::refused(format!(
             "--journey {NO_JOURNEY} is for `lightfall render`; the window flies a journey when J is pressed, or at once where --journey names a file"
         )));
     }
+    let scene_args = on_stage(&args.scene, journey_file)?;
+    let (scene, mission) = opened(&scene_args)?.into_parts();
+    let stars = stars(&scene_args)?;
+    let drawable = drawable(&scene)?;
     if let (Some(mission), true) = (&mission, journey_file.is_some()) {
         return Err(Stop::refused(format!(
             "--journey is for presets, and {:?} is a mission: one of the two can be flown",
@@ -49,11 +50,11 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     } else {
         Output::Still
     };
-    let preset = args.scene.preset.as_deref();
+    let preset = scene_args.preset.as_deref();
     // What a mission sets is nobody's choice of a picture.
     note_idle_preset(preset.filter(|_| mission.is_none()), &scene);
-    note_unused(&args.scene, &scene, output, |without| without, |_| None);
-    let message = note_missing_stars(&args.scene, &scene, stars);
+    note_unused(&scene_args, &scene, output, |without| without, |_| None);
+    let message = note_missing_stars(&scene_args, &scene, stars);
     if let Err(reason) = display {
         let moment = match (&mission, journey_file) {
             (Some(mission), _) => Moment::Mission(mission),
@@ -68,13 +69,9 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
         note_lacking(preset.display(), texts);
     }
     if let Some(file) = journey_file {
-        let captions = journey.captions.iter().map(|caption| &caption.text);
-        note_lacking(
-            file.display(),
-            captions.chain([&journey.title, &journey.ending]),
-        );
+        note_lacking(file.display(), journey.texts());
     }
-    if let Some(file) = &args.scene.stars {
+    if let Some(file) = &scene_args.stars {
         let names = stars.names().iter().map(|star| &star.name);
         note_lacking(format_args!("--stars {}", file.display()), names);
     }
@@ -85,7 +82,7 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
         stars,
         plays_journey: journey_file.is_some(),
         mission,
-        keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
+        keeps_own_look: scene_args.sets("picture.bypass").map_err(Stop::refused)?,
         shaders: args.shaders.clone().or(start.shaders),
         ..start
     };

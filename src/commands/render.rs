@@ -15,7 +15,7 @@ use self::writer::PictureWriter;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
-use super::scene::{note_missing_stars, scene, stars};
+use super::scene::{note_missing_stars, on_stage, scene, stars};
 use super::stop::Stop;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
@@ -24,6 +24,10 @@ use lightfall_platform::log::say;
 
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
+    let args = &RenderArgs {
+        scene: on_stage(&args.scene, args.journey.as_deref())?,
+        ..args.clone()
+    };
     let scene = scene(&args.scene)?;
     let sequence = args
         .frames

@@ -56,6 +56,22 @@ fn default_scene(overrides: &[Override]) -> Result<Scene, Stop> {
     preset.scene(overrides).map_err(Stop::refused)
 }
 
+/// The options with the preset of a lesson, where they name a lesson and no preset: its stops are about
+/// that scene.
+///
+/// # Errors
+/// The journey cannot be read or is wrong.
+pub(super) fn on_stage(args: &SceneArgs, journey: Option<&Path>) -> Result<SceneArgs, Stop> {
+    let mut args = args.clone();
+    let file = journey.filter(|file| *file != Path::new(NO_JOURNEY) && args.preset.is_none());
+    if let Some(file) = file {
+        let journey = storage::journey_by_name(file)?;
+        let preset = journey.preset.filter(|_| !journey.stops.is_empty());
+        args.preset = preset.map(|preset| preset.name.into());
+    }
+    Ok(args)
+}
+
 /// The word that stands for no journey where pictures are rendered.
 pub(super) const NO_JOURNEY: &str = "none";
 

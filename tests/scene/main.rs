@@ -33,10 +33,12 @@ mod gamepad;
 mod gestures;
 #[cfg(target_os = "linux")]
 mod glyphs;
+mod handout;
 mod history;
 mod key_labels;
 mod keys;
 mod legends;
+mod lesson_player;
 mod lessons;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;

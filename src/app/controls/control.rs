@@ -160,6 +160,16 @@ pub enum AppCommand {
     RestartJourney,
     JourneyBack,
     JourneyAhead,
+    /// Go on from the stop of a lesson.
+    GoOn,
+    /// Go back to the stop before.
+    GoBack,
+    /// Add what is shown as the next stop of the lesson under construction.
+    AddStop,
+    /// Save the lesson under construction.
+    SaveLesson,
+    /// Begin another lesson.
+    NewLesson,
     /// Pause what moves by itself, the journey, the fall or the disk, or let it go on.
     Pause,
     /// Let go of the observer, so that it falls or orbits, or hold it again.

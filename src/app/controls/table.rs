@@ -72,6 +72,8 @@ pub const CONTROLS: &[Control] = controls! {
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
         "journey.back" Shift + [ArrowLeft] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyBack);
         "journey.ahead" Shift + [ArrowRight] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyAhead);
+        "lesson.add_stop" Shift + [KeyL] "lesson: add this as a stop" Do(AppCommand::AddStop);
+        "lesson.save" Ctrl + [KeyL] "lesson: save it" Do(AppCommand::SaveLesson);
         "motion.pause" [Slash] "pause what moves, go on" Do(AppCommand::Pause);
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);

@@ -10,8 +10,10 @@ use crate::app::controls::edits::edited;
 use crate::app::controls::empty_view::why_empty;
 use crate::app::controls::helm::{button_at_helm, key_at_helm};
 use crate::app::controls::key_feedback::remark;
+use crate::app::controls::lesson::{button_in_lesson, key_in_lesson};
 use crate::app::controls::statement::statement;
 use crate::app::state::helm::CommandSender;
+use crate::app::state::lessons::LessonUnderWay;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;
@@ -34,6 +36,7 @@ pub(super) fn apply_pressed_controls(
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     (typing, over_panel): (Res<Typing>, Res<MouseOverPanel>),
+    lesson: Res<LessonUnderWay>,
     mut claimed: ResMut<ClaimedKeys>,
     pads: Pads,
     mut editor: SceneEditor,
@@ -64,12 +67,24 @@ pub(super) fn apply_pressed_controls(
         editor.say("The mouse is over the panel: click a field to type a number");
     }
     let has_ship = commands.helm.has_ship();
-    let key_action = if has_ship { key_at_helm } else { usual_action };
-    let button_action = if has_ship {
-        button_at_helm
+    let [key_action, button_action]: [fn(&Control) -> Action; 2] = if has_ship {
+        [key_at_helm, button_at_helm]
+    } else if lesson.0 {
+        [key_in_lesson, button_in_lesson]
     } else {
-        usual_action
+        [usual_action, usual_action]
     };
+    // A key that goes on with a lesson does not fly, too.
+    let goes_on = |(code, modifier): &&(KeyCode, Option<Modifier>)| {
+        let control = bindings.pressed(*code, *modifier);
+        control.is_some_and(|it| matches!(key_action(it), Action::Do(AppCommand::GoOn)))
+    };
+    let going_on: Vec<KeyCode> = presses
+        .iter()
+        .filter(goes_on)
+        .map(|(code, _)| *code)
+        .collect();
+    claimed.0.extend(going_on);
     let by_key = presses
         .into_iter()
         .filter(|press| listens && !kept(press))
@@ -175,7 +190,7 @@ fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bi
     }
 }
 
-fn undo_last_change(mut commands: MessageReader<AppCommand>, mut editor: SceneEditor) {
+pub(crate) fn undo_last_change(mut commands: MessageReader<AppCommand>, mut editor: SceneEditor) {
     for _ in 0..AppCommand::Undo.count(&mut commands) {
         editor.undo();
     }

@@ -144,7 +144,9 @@ fn run_disk_clock(
     // Both sides of a comparison have the same clock.
     let pinned = compared.drawn().map(|(pinned, _)| pinned.scene());
     let either = |has: fn(&Scene) -> bool| has(&scene) || pinned.is_some_and(has);
-    let flies = free_fall.is_moving() || player.is_playing() || helm.has_ship();
+    // At a stop the hole's neighbourhood goes on, and only the journey waits.
+    let leads = player.is_playing() && !player.rests();
+    let flies = free_fall.is_moving() || leads || helm.has_ship();
     if flies || !either(Scene::disk_moves) {
         clock.follow(&scene);
         return;

@@ -1,22 +1,35 @@
-//! The guided journey in the window: its keys, its flight, and what is said at its end.
+//! The guided journey and lessons in the window: their keys, their flight, and what is said at the end.
 
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
 use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
+use crate::app::input::keyboard::undo_last_change;
 use crate::app::state::end_card::EndCard;
+use crate::app::state::lessons::StartJourney;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::journey::Journey;
 
 /// Seconds by which one press goes ahead or back.
 const SKIP: f64 = 5.0;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (apply_journey_commands, advance_journey).chain());
+    app.add_systems(
+        Update,
+        (
+            (apply_journey_commands, go_on_or_back),
+            start_chosen_journey,
+            advance_journey,
+        )
+            .chain()
+            .after(undo_last_change),
+    );
 }
 
 fn apply_journey_commands(
@@ -61,25 +74,90 @@ fn apply_journey_commands(
             _ => continue,
         }
         let restarts = *command == AppCommand::RestartJourney;
-        if restarts || player.begins_anew(editor.loaded()) {
-            editor.depart(player.stage());
-            player.rewind(editor.loaded());
-        } else {
-            editor.depart(None);
-        }
-        if restarts {
-            player.restart();
-        } else {
-            player.start(&editor.scene());
-        }
+        start(&mut player, restarts, &mut editor);
         paused.0 = false;
         end_card.close();
-        // A journey that cannot be flown to its end is flown as far as possible.
-        if let Err(fault) = player.check(&editor.scene()) {
-            editor.say(format!(
-                "This journey cannot be flown to its end here: {fault}"
-            ));
+    }
+}
+
+/// Goes on from a stop, or back to the one before. The pause ends, so that a presenter's remote is
+/// enough.
+fn go_on_or_back(
+    mut commands: MessageReader<AppCommand>,
+    mut player: ResMut<JourneyPlayer>,
+    editor: SceneEditor,
+    mut paused: ResMut<Paused>,
+) {
+    for command in commands.read() {
+        match command {
+            _ if !player.is_playing() => continue,
+            AppCommand::GoOn => player.go_on(&editor.drawn_scene()),
+            AppCommand::GoBack => player.go_back(),
+            // The hands may have flown from the stop, and come back to it. Otherwise this was the
+            // flight to the journey itself.
+            AppCommand::Undo if player.rests() && !player.is_there(&editor.drawn_scene()) => {
+                player.stop();
+                continue;
+            }
+            _ => continue,
         }
+        paused.0 = false;
+    }
+}
+
+/// Flies the journey that was chosen from a list.
+fn start_chosen_journey(
+    mut starts: MessageReader<StartJourney>,
+    mut player: ResMut<JourneyPlayer>,
+    mut editor: SceneEditor,
+    mut end_card: ResMut<EndCard>,
+    mut paused: ResMut<Paused>,
+) {
+    for StartJourney(journey) in starts.read() {
+        put_fields_back(&mut player, &mut editor);
+        player.take(Journey::clone(journey));
+        start(&mut player, true, &mut editor);
+        paused.0 = false;
+        end_card.close();
+    }
+}
+
+/// Puts back the fields of the scene that the stops of a journey have switched.
+pub(super) fn put_fields_back(player: &mut JourneyPlayer, editor: &mut SceneEditor) {
+    if player.base().is_none() {
+        return;
+    }
+    let Some(scene) = player.unswitched(editor.drawn_scene().into_scene()) else {
+        return;
+    };
+    // Another scene was loaded meanwhile.
+    if !player.is_at_home(editor.loaded()) {
+        return;
+    }
+    match Drawable::new(scene) {
+        Ok(scene) => editor.fly(&scene),
+        Err(reason) => editor.say(format!("What the stops have switched stays: {reason}")),
+    }
+}
+
+/// Goes on with the journey, or begins it again. One that cannot be flown to its end is flown as far as
+/// possible.
+fn start(player: &mut JourneyPlayer, restarts: bool, editor: &mut SceneEditor) {
+    if restarts || player.begins_anew(editor.loaded()) {
+        editor.depart(player.stage());
+        player.rewind(editor.loaded());
+    } else {
+        editor.depart(None);
+    }
+    if restarts {
+        player.restart();
+    } else {
+        player.start(&editor.scene());
+    }
+    if let Err(fault) = player.check(&editor.scene()) {
+        editor.say(format!(
+            "This journey cannot be flown to its end here: {fault}"
+        ));
     }
 }
 
@@ -102,6 +180,15 @@ pub(super) fn advance_journey(
     mut end_card: ResMut<EndCard>,
 ) {
     if !player.is_playing() {
+        return;
+    }
+    if player.rests() {
+        // Another scene ends the journey. Here the camera may be anywhere.
+        if player.is_at_home(editor.loaded()) {
+            player.follow(&editor.drawn_scene());
+        } else {
+            player.stop();
+        }
         return;
     }
     let calm = preferences.settings.reduced_motion;

@@ -11,6 +11,7 @@ pub(crate) mod detail_limits;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
+pub(crate) mod handout_file;
 pub(crate) mod icon;
 pub(crate) mod link;
 #[cfg(target_arch = "wasm32")]

@@ -10,6 +10,7 @@ pub enum MenuEntry {
     Resume,
     Places,
     Missions,
+    Lessons,
     Journey,
     LetGo,
     Help,
@@ -22,15 +23,22 @@ pub enum MenuEntry {
     Place(usize),
     /// Begin the mission at this place in the list.
     Mission(usize),
+    /// Fly the lesson at this place in the list.
+    Lesson(usize),
+    /// Add what is shown as the next stop of the lesson under construction.
+    AddStop,
+    SaveLesson,
+    NewLesson,
     /// Leave the list.
     Back,
 }
 
 /// The entries of the first list.
-const MAIN: [MenuEntry; 10] = [
+const MAIN: [MenuEntry; 11] = [
     MenuEntry::Resume,
     MenuEntry::Places,
     MenuEntry::Missions,
+    MenuEntry::Lessons,
     MenuEntry::Journey,
     MenuEntry::LetGo,
     MenuEntry::Help,
@@ -58,6 +66,8 @@ pub enum MenuList {
     Places,
     /// So many missions.
     Missions(usize),
+    /// So many lessons, and what makes one.
+    Lessons(usize),
 }
 
 impl Menu {
@@ -81,6 +91,14 @@ impl Menu {
             MenuList::Main => MAIN.to_vec(),
             MenuList::Places => with_back((0..PRESETS.len()).map(MenuEntry::Place).collect()),
             MenuList::Missions(count) => with_back((0..count).map(MenuEntry::Mission).collect()),
+            MenuList::Lessons(count) => {
+                let making = [
+                    MenuEntry::AddStop,
+                    MenuEntry::SaveLesson,
+                    MenuEntry::NewLesson,
+                ];
+                with_back((0..count).map(MenuEntry::Lesson).chain(making).collect())
+            }
         }
     }
 
@@ -110,6 +128,7 @@ impl Menu {
             MenuList::Main => return self.close(),
             MenuList::Places => MenuEntry::Places,
             MenuList::Missions(_) => MenuEntry::Missions,
+            MenuList::Lessons(_) => MenuEntry::Lessons,
         };
         self.open();
         self.select(entry);
@@ -123,6 +142,11 @@ impl Menu {
     /// Shows the list of so many missions.
     pub fn show_missions(&mut self, count: usize) {
         (self.list, self.selected) = (MenuList::Missions(count), 0);
+    }
+
+    /// Shows the list of so many lessons.
+    pub fn show_lessons(&mut self, count: usize) {
+        (self.list, self.selected) = (MenuList::Lessons(count), 0);
     }
 
     /// Selects an entry, if it is shown.

@@ -3,8 +3,8 @@
 use super::end_card::EndCard;
 use super::mission_results::{MissionResult, MissionResults};
 use bevy::prelude::*;
-use lightfall_core::numbers::four_digits;
-use lightfall_core::scene::mission::{MISSIONS, Mission, Question, load};
+use lightfall_core::scene::Question;
+use lightfall_core::scene::mission::{MISSIONS, Mission, load};
 use lightfall_platform::storage::{Opened, mission_results_file, open_file, own_missions};
 
 /// The missions, and the results so far.
@@ -53,19 +53,17 @@ impl AskedQuestion {
     /// Takes what was typed as the answer, says whether it is right, and returns the result with it.
     pub(crate) fn answer(&mut self) -> Option<MissionResult> {
         let (question, result) = self.asked.as_mut()?;
-        let typed = self.typed.trim().replace(',', ".");
-        let Some(answer) = typed.parse().ok().filter(|answer: &f64| answer.is_finite()) else {
-            self.said = format!("{typed:?} is not a number");
-            return None;
-        };
-        result.answer = Some(answer);
-        let right = four_digits(question.answer);
-        self.said = if (answer - question.answer).abs() <= question.tolerance {
-            format!("Right: it is {right}")
-        } else {
-            format!("It is not {typed}")
-        };
-        Some(result.clone())
+        match question.judge(&self.typed) {
+            Ok((answer, said)) => {
+                result.answer = Some(answer);
+                self.said = said;
+                Some(result.clone())
+            }
+            Err(fault) => {
+                self.said = fault;
+                None
+            }
+        }
     }
 }
 

@@ -8,6 +8,8 @@ pub(crate) mod file_opener;
 pub(crate) mod helm;
 pub(crate) mod history;
 pub(crate) mod hole_in_view;
+pub(crate) mod lesson_draft;
+pub(crate) mod lessons;
 pub(crate) mod light_meter;
 pub(crate) mod menu;
 pub(crate) mod mission_results;

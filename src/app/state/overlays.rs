@@ -117,6 +117,18 @@ impl Overlays {
         true
     }
 
+    /// Opens or closes the panel of a side. One that is opened comes to the front.
+    pub(crate) fn show_side(&mut self, side: Side, is_open: bool) {
+        let panel = match side {
+            Side::Left => &mut self.inspector,
+            Side::Right => &mut self.panel,
+        };
+        if is_open && !*panel {
+            self.last_opened = Some(side);
+        }
+        *panel = is_open;
+    }
+
     /// Opens the panel, if it is not open.
     pub(crate) fn open_panel(&mut self) {
         (self.panel, self.hidden) = (true, false);

@@ -87,7 +87,7 @@ pub struct FlyArgs {
 }
 
 /// The arguments of `lightfall render`.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
     /// Picture to write. Its extension decides the format: .png is what a window would show, .apng

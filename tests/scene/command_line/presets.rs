@@ -335,3 +335,49 @@ fn missions_open_like_presets_and_wrong_ones_are_refused_as_the_check_refuses_th
         );
     }
 }
+
+/// A journey is flown in its preset, with what its stops switch.
+#[test]
+fn journeys_are_checked_by_name_and_path_and_one_whose_stop_cannot_be_drawn_is_refused() {
+    let checked = |file: &str| {
+        let preset = file.into();
+        let mut out = Vec::new();
+        commands::presets(&PresetsCommand::Check { preset }, &mut out)
+            .map(|()| String::from_utf8(out).unwrap())
+            .map_err(|stop| stop.to_string())
+    };
+    let shadow = "ok, a journey of 11 s with 7 stops\n";
+    assert_eq!(checked("shadow").unwrap(), format!("shadow: {shadow}"));
+    let default = "assets/journeys/default.toml";
+    assert_eq!(
+        checked(default).unwrap(),
+        format!("{default}: ok, a journey of 132 s\n")
+    );
+    let text = fs::read_to_string("assets/journeys/shadow.toml").unwrap();
+    let with = |from: &str, to: &str| {
+        assert!(text.contains(from));
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let name = file.path().to_str().unwrap().to_owned();
+        checked(&name).map_err(|fault| fault.replace(&name, "FILE"))
+    };
+    assert!(
+        with("What is the shadow?", "The shadow")
+            .unwrap()
+            .ends_with(shadow)
+    );
+    let unknown = with("effects.lensing = false", "effects.lens = false").unwrap_err();
+    let line = 1 + text
+        .lines()
+        .position(|line| line == "effects.lensing = false")
+        .unwrap();
+    let start = format!("FILE: line {line}: stop 3: there is no effects.lens; ");
+    assert!(unknown.starts_with(&start), "{unknown}");
+    let undrawable = with(
+        "effects.lensing = false",
+        "disk.inner = 20.0\ndisk.outer = 12.0",
+    )
+    .unwrap_err();
+    assert!(undrawable.starts_with("FILE: "), "{undrawable}");
+    assert!(undrawable.contains("disk.outer"), "{undrawable}");
+}

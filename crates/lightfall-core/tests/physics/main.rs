@@ -25,6 +25,7 @@ mod inside;
 mod jet;
 mod kerr;
 mod kerr_schild;
+mod lessons;
 mod light_without_spin;
 mod limb;
 mod medium;

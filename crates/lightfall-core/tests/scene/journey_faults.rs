@@ -21,11 +21,11 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             "speed = 3".into(),
-            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title, teaches, ending, preset, and tables [[keyframe]], [[caption]] and [[stop]]",
         ),
         (
             "title = \"a\"\n[camera]\nr = 3".into(),
-            "j.toml: camera belongs to a preset, and this must be a journey, which has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: camera belongs to a preset, and this must be a journey, which has schema = 1, title, teaches, ending, preset, and tables [[keyframe]], [[caption]] and [[stop]]",
         ),
         (
             "ending = 3".into(),
@@ -33,7 +33,7 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             "keyframe = 3".into(),
-            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", ending = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title, teaches, ending, preset, and tables [[keyframe]], [[caption]] and [[stop]]",
         ),
         (
             "preset = \"nowhere\"".into(),

@@ -17,5 +17,6 @@ mod presets;
 #[path = "../physics/random.rs"]
 mod random;
 mod step_policy;
+mod stops;
 mod text;
 mod words;

@@ -18,7 +18,7 @@ pub(super) fn is_table(name: &str) -> bool {
 pub(super) fn hint(key: &str) -> String {
     let table = key.split('.').next().unwrap_or_default();
     match nearest(key) {
-        _ if ["keyframe", "caption"].contains(&key) => {
+        _ if ["keyframe", "caption", "stop"].contains(&key) => {
             "this is a journey, which --journey flies".into()
         }
         Some(field) => format!("did you mean {field}?"),

@@ -9,21 +9,33 @@
 mod caption;
 mod check;
 mod clock;
+mod draft;
 mod error;
 mod format;
 mod idle;
+mod key_line;
 mod keyframe;
+mod lessons;
 mod load;
+mod read_stop;
+mod save;
+mod stop;
+mod switches;
 mod track;
 mod tracks;
 
 pub use caption::Caption;
 pub use check::Unflyable;
+pub use draft::{Draft, Shown};
 pub use error::JourneyError;
+pub use lessons::{LESSONS, built_in, is_journey};
 pub use load::load;
+pub use stop::{InspectorView, SideBySide, Stop};
+pub use switches::Switches;
 pub use track::Track;
 
 use self::clock::Clock;
+use self::keyframe::Keyframe;
 use self::tracks::Tracks;
 use super::presets::Preset;
 use super::{Camera, ObserverKind, Scene};
@@ -38,16 +50,19 @@ pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml
 pub struct Journey {
     /// One line that says where the flight leads.
     pub title: String,
+    /// What a teacher can show with it, in one line. Empty: nothing is said.
+    pub teaches: String,
     /// What the card at the end says. Empty: the title alone.
     pub ending: String,
     /// The built-in preset in which the window flies it. None: the scene that is shown.
     pub preset: Option<&'static Preset>,
     /// What to say about it on the way, in order of time.
     pub captions: Vec<Caption>,
+    /// The moments at which it waits in the window, in order of time.
+    pub stops: Vec<Stop>,
     /// Seconds from the first keyframe to the last.
     pub duration: f64,
-    /// The time of each keyframe, in seconds as in its text.
-    times: Vec<f64>,
+    keyframes: Vec<Keyframe>,
     tracks: Tracks,
     /// The tracks for an observer that falls from rest at infinity.
     tracks_in_rain: Tracks,
@@ -68,6 +83,34 @@ impl Journey {
         (time < caption.time + caption.seconds).then_some(caption)
     }
 
+    /// Writes what [`lead`](Self::lead) does after `time` seconds, and what the stops up to then
+    /// switch, into `scene`.
+    pub fn apply(&self, time: f64, scene: &mut Scene) {
+        for stop in &self.stops[..self.stops_until(time)] {
+            for (key, value) in &stop.fields {
+                stop::write(scene, (key, value));
+            }
+        }
+        self.lead(time, scene);
+    }
+
+    /// The time of each keyframe, in seconds as in the journey's text.
+    fn times(&self) -> Vec<f64> {
+        self.keyframes.iter().map(|frame| frame.time).collect()
+    }
+
+    /// Everything that viewers read.
+    pub fn texts(&self) -> Vec<&String> {
+        let mut texts = vec![&self.title, &self.teaches, &self.ending];
+        texts.extend(self.captions.iter().map(|caption| &caption.text));
+        for stop in &self.stops {
+            texts.push(&stop.caption);
+            let question = stop.question.iter();
+            texts.extend(question.flat_map(|question| [&question.text, &question.unit]));
+        }
+        texts
+    }
+
     /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time`
     /// seconds into `scene`. Times before the first keyframe count as the first, times after the
     /// last as the last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the
@@ -79,7 +122,7 @@ impl Journey {
     /// While the observer is `rain`, the keyframes give Kerr's ingoing azimuth, counted so that it
     /// equals Boyer-Lindquist's where the fall begins. Boyer-Lindquist's own azimuth would wind
     /// without end toward the horizon of a hole that spins.
-    pub fn apply(&self, time: f64, scene: &mut Scene) {
+    pub fn lead(&self, time: f64, scene: &mut Scene) {
         let last = self.kinds.iter().rev().find(|(from, _)| *from <= time);
         match last.or(self.kinds.first()) {
             Some((_, kind)) => scene.observer.kind = *kind,
@@ -144,7 +187,7 @@ impl Journey {
         let (start, time, r) = match self.clock.set_before(to) {
             Some((set, time)) => {
                 let mut there = before.clone();
-                self.apply(set, &mut there);
+                self.lead(set, &mut there);
                 (set, time, there.camera.r)
             }
             None => (from, before.disk.time, before.camera.r),

@@ -12,12 +12,13 @@ pub use condition::{Comparison, Condition, Quantity};
 pub use error::MissionError;
 pub use load::load;
 pub use text::{
-    Better, Burn, Caption, Course, Ending, Fail, Goal, Hint, HoleOfMission, Par, Push, Question,
-    Ship, Start, Until,
+    Better, Burn, Caption, Course, Ending, Fail, Goal, Hint, HoleOfMission, Par, Push, Ship, Start,
+    Until,
 };
 
 use super::Scene;
 use super::presets::Preset;
+use super::question::Question;
 
 /// A mission.
 #[derive(Clone, Debug, PartialEq)]

@@ -33,6 +33,7 @@ mod pose;
 pub mod presets;
 mod projection;
 pub mod promises;
+mod question;
 mod range;
 mod relevant;
 mod save;
@@ -57,6 +58,7 @@ pub use load::{Override, load};
 pub use matter::THICKNESS_PIVOT;
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use projection::Projection;
+pub use question::Question;
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use step_policy::ArticleQuality;
 pub use tables::{

@@ -21,6 +21,12 @@ pub fn missions_folder() -> Option<PathBuf> {
     Some(settings_folder()?.join("missions"))
 }
 
+/// The folder of the user's own lessons, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn lessons_folder() -> Option<PathBuf> {
+    Some(settings_folder()?.join("lessons"))
+}
+
 /// The file of the results of missions, or `None` on a system that has no folder for settings.
 #[must_use]
 pub fn mission_results_file() -> Option<PathBuf> {

@@ -15,18 +15,21 @@ pub use embedded_preset::{add_record, embedded_preset, encoded_png, is_picture, 
 pub use file_name::file_safe_name;
 pub use files::{
     TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,
-    write_atomically,
+    write_atomically, write_new,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
 pub use folders::{
-    mission_results_file, missions_folder, preset_files, presets_folder, settings_file,
+    lessons_folder, mission_results_file, missions_folder, preset_files, presets_folder,
+    settings_file,
 };
 pub use opened::{
     Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
     scene_by_name,
 };
 pub use picture_record::{PictureRecord, missing_stars};
-pub use scene_source::{SourceError, read_journey, read_stars};
+pub use scene_source::{
+    SourceError, is_journey_file, journey_by_name, journey_of_file, read_journey, read_stars,
+};

@@ -2,7 +2,8 @@
 //! stars.
 
 use super::embedded_preset::{embedded_preset, is_picture};
-use super::files::{TextError, read, text_of};
+use super::files::{TextError, exists, read, text_of};
+use super::folders::lessons_folder;
 use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::optics::ship::StartError;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
@@ -103,8 +104,9 @@ pub enum SourceError {
     },
 }
 
-/// The journey of a file, or the built-in journey. All of a file's journey must be possible in
-/// `scene`; the built-in journey is not checked, because it may never be flown.
+/// The journey of a file, by its path or, for the built-in lessons and the user's own ones, by its name;
+/// or the built-in journey. All of a file's journey must be possible in `scene`; the built-in journey
+/// is not checked, because it may never be flown.
 ///
 /// # Errors
 /// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
@@ -112,12 +114,7 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
     let Some(path) = file else {
         return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
     };
-    let bytes = contents(path)?;
-    if is_picture(&bytes) {
-        return Err(SourceError::PictureAsJourney { path: path.into() });
-    }
-    let text = text_of_source(path, bytes)?;
-    let journey = journey::load(&path.display().to_string(), &text)?;
+    let journey = journey_by_name(path)?;
     let checked = journey.check(scene, 0.0, Drawable::new);
     checked
         .map(|()| journey)
@@ -125,6 +122,48 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
             path: path.into(),
             unflyable,
         })
+}
+
+/// The journey of a file, by its path or, for the built-in lessons and the user's own ones, by its name.
+/// It may not be possible in every scene.
+///
+/// # Errors
+/// The file cannot be read or is wrong.
+pub fn journey_by_name(path: &Path) -> Result<Journey, SourceError> {
+    let built_in = path.to_str().filter(|_| !exists(path));
+    match built_in.and_then(journey::built_in) {
+        Some(lesson) => Ok(lesson),
+        None => journey_of_file(&own_lesson(path).unwrap_or_else(|| path.into())),
+    }
+}
+
+/// The journey of a file, which may not be possible in every scene.
+///
+/// # Errors
+/// The file cannot be read or is wrong.
+pub fn journey_of_file(path: &Path) -> Result<Journey, SourceError> {
+    let bytes = contents(path)?;
+    if is_picture(&bytes) {
+        return Err(SourceError::PictureAsJourney { path: path.into() });
+    }
+    let text = text_of_source(path, bytes)?;
+    Ok(journey::load(&path.display().to_string(), &text)?)
+}
+
+/// Whether a file is meant as a journey, and not as a preset or a picture.
+#[must_use]
+pub fn is_journey_file(path: &Path) -> bool {
+    contents(path).is_ok_and(|bytes| {
+        !is_picture(&bytes)
+            && text_of_source(path, bytes).is_ok_and(|text| journey::is_journey(&text))
+    })
+}
+
+/// The file of the user's own lesson with this name, where there is no other file of this path.
+fn own_lesson(path: &Path) -> Option<PathBuf> {
+    let is_name = path.components().count() == 1 && path.extension().is_none();
+    let file = lessons_folder()?.join(path).with_extension("toml");
+    (is_name && !exists(path) && exists(&file)).then_some(file)
 }
 
 /// The catalogue of a CSV file of stars.

@@ -6,6 +6,7 @@ use crate::shot::Shot;
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::presets;
 use watched::State;
 
@@ -155,5 +156,28 @@ fn of_two_whole_pictures_a_click_traces_the_pixel_of_the_one_that_it_meets() {
         for field in ["cpu", "impact_parameter", "order"] {
             same(field, &json[field], &expected[field]);
         }
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_handout_of_the_ray_is_a_new_file_and_replaces_none() {
+    let desktop = Desktop::open(&["--preset", "2"]);
+    desktop.first_picture();
+    desktop.press("i");
+    desktop.wait_for("the inspector", |state| state.shows("Ray inspector"));
+    desktop.click_at([760, 400]);
+    let json = copied(&desktop);
+    let folder = desktop.home.path().join("Pictures");
+    for number in 1..=2 {
+        let file = folder.join(format!("lightfall-edge-on-ray-000{number}.svg"));
+        desktop.click("Handout");
+        desktop.wait("the handout", || file.is_file());
+        let page = std::fs::read_to_string(file).unwrap();
+        let closest = four_digits(json["closest_r"].as_f64().unwrap());
+        assert!(
+            page.ends_with("</svg>\n") && page.contains(&closest),
+            "{page}"
+        );
     }
 }

@@ -26,6 +26,7 @@ mod keys;
 mod latency;
 mod layout;
 mod layouts;
+mod lessons;
 mod lost;
 mod manager;
 mod menu;

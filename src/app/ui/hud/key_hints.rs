@@ -106,6 +106,14 @@ const JOURNEY_KEYS: &[Hint] = &[
     ALL_KEYS,
 ];
 
+/// The keys that matter during a lesson.
+const LESSON_KEYS: &[Hint] = &[
+    (&["fly.up", "preset.next"], " · ", "go on", 3),
+    (&["preset.previous"], "", "back", 2),
+    (&["journey.fly"], "", "leave", 1),
+    ALL_KEYS,
+];
+
 /// The keys that matter during a fall.
 const FALL_KEYS: &[Hint] = &[
     (&["motion.pause"], "", "pause", 3),
@@ -158,7 +166,9 @@ pub(super) fn show_key_hints(
         return;
     };
     let wish = layout.at(Align2::RIGHT_BOTTOM, Slide::Nowhere);
-    let mut hints = if player.is_playing() {
+    let mut hints = if player.has_lesson() {
+        LESSON_KEYS.to_vec()
+    } else if player.is_playing() {
         JOURNEY_KEYS.to_vec()
     } else if free_fall.is_moving() {
         FALL_KEYS.to_vec()

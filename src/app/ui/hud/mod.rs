@@ -14,6 +14,7 @@ mod physics_off;
 mod presence;
 mod read_outs;
 mod ship;
+mod stop;
 mod title;
 mod toast;
 
@@ -32,6 +33,7 @@ pub(crate) fn plugin(app: &mut App) {
             EguiPrimaryContextPass,
             (
                 journey::show_journey.in_set(Importance::Words),
+                stop::show_stop.in_set(Importance::Cards),
                 ship::show_question.in_set(Importance::Cards),
                 ship::show_mission.in_set(Importance::Words),
                 toast::show_toast.in_set(Importance::Message),

@@ -84,7 +84,10 @@ fn watch_input(
     presence.reduced_motion = preferences.settings.reduced_motion;
     let pointed = moves.read().count() + wheel.read().count() > 0;
     let pressed = hands.hold() || hands.keys.get_just_pressed().next().is_some();
-    let moves = pacing.moving || free_fall.is_moving() || player.is_playing() || helm.has_ship();
+    let moves = pacing.moving
+        || free_fall.is_moving()
+        || player.is_playing() && !player.rests()
+        || helm.has_ship();
     // The first seconds count from the first picture, which may take a while to be drawn.
     *has_picture |= progress.is_shown();
     if pointed || pressed || moves || !*has_picture {

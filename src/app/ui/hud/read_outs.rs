@@ -104,6 +104,10 @@ fn journey(player: &JourneyPlayer, paused: bool, bindings: &Bindings) -> String 
     }
     let [stop, pause] = ["journey.fly", "motion.pause"].map(|id| bindings.label(id));
     let progress = player.progress();
+    if let Some((_, number)) = player.waits_at() {
+        let stops = player.journey().stops.len();
+        return format!("Lesson, stop {number} of {stops} · {stop} leaves it");
+    }
     if paused {
         format!("Journey paused at {progress} · {pause} goes on · {stop} stops it")
     } else {

@@ -100,16 +100,29 @@ impl Sketch {
                     Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(min, max));
             }
         }
-        if plane {
-            let scale = plane_figure::draw(&painter, rect, scene, rays, units, self.half_width);
-            return draw_scale(&painter, rect, scale, units);
-        }
-        if response.dragged() {
+        if !plane && response.dragged() {
             self.viewpoint = Viewpoint::Orbit;
             let drag = response.drag_delta();
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
         }
+        self.paint(&painter, rect, scene, rays, units);
+    }
+
+    /// Paints the drawing within `rect`.
+    pub(super) fn paint(
+        &self,
+        painter: &egui::Painter,
+        rect: Rect,
+        scene: &Scene,
+        rays: &[Inspected],
+        units: Units,
+    ) {
+        if self.viewpoint == Viewpoint::Plane {
+            let scale = plane_figure::draw(painter, rect, scene, rays, units, self.half_width);
+            return draw_scale(painter, rect, scale, units);
+        }
+        let half_width = self.half_width.unwrap_or_else(|| fitting_half_width(scene));
         let horizon = scene.kerr().horizon();
         let projection = Projection {
             painter: painter.clone(),
@@ -126,7 +139,7 @@ impl Sketch {
         }
         let camera = projection.point(camera_in_disk_frame(scene) * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
-        draw_scale(&painter, rect, projection.points_per_length, units);
+        draw_scale(painter, rect, projection.points_per_length, units);
     }
 
     /// Rows: right, up, toward the viewer, in the disk's frame. The camera's azimuth points left.

@@ -3,15 +3,22 @@
 
 mod colours;
 mod drawing;
+mod handout;
 mod labels;
 mod numbers;
 mod plane_figure;
 mod projection;
 mod ray_worker;
+mod svg;
+
+pub use handout::plane_handout;
 
 use crate::app::input::pointer::{PointerOverPicture, locate_pointer};
 use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::session::clipboard::Clipboard;
+use crate::app::session::frame_pacing::FramePacing;
+use crate::app::session::handout_file::save_handout;
+use crate::app::state::lessons::{AskedRay, ShownRay};
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
@@ -21,11 +28,12 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use colours::path_colour;
 use drawing::{Sketch, Viewpoint, legend};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::InspectorView;
 use ray_worker::{InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
@@ -52,8 +60,10 @@ struct Inspector {
     spacing: f64,
     /// Which of two compared scenes was clicked last.
     side: SceneSide,
-    /// The scene and the pixel of the last click.
+    /// The scene and the pixel of the last click, or of the ray of a lesson's stop.
     asked: Option<(Scene, DVec2)>,
+    /// The ray of a lesson's stop, which is followed until another one is clicked.
+    followed: Option<InspectorView>,
     answer: Option<InspectedRays>,
     /// Height of everything below the drawing as shown last, in points.
     text_height: f32,
@@ -67,6 +77,7 @@ pub(crate) fn plugin(app: &mut App) {
         spacing: 12.0,
         side: SceneSide::Current,
         asked: None,
+        followed: None,
         answer: None,
         text_height: 0.0,
     };
@@ -77,7 +88,8 @@ pub(crate) fn plugin(app: &mut App) {
                 inspect_chosen_pixel
                     .after(locate_pointer)
                     .after(read_fingers),
-                receive_rays,
+                inspect_ray_of_stop,
+                (receive_rays, note_shown_ray).chain(),
             ),
         )
         .add_systems(EguiPrimaryContextPass, show_inspector);
@@ -103,10 +115,64 @@ fn inspect_chosen_pixel(
     if let Some((side, pixel)) = pixel
         && let Some(scene) = picture.scene_of(side)
     {
+        inspector.followed = None;
         inspector.side = side;
         inspector.asked = Some((scene.clone(), pixel));
         inspector.ask();
     }
+}
+
+/// Inspects the ray that a lesson's stop asks for, and again whenever the picture has changed.
+fn inspect_ray_of_stop(
+    asked: Res<AskedRay>,
+    (overlays, pacing): (Res<Overlays>, Res<FramePacing>),
+    picture: PictureInWindow,
+    mut inspector: ResMut<Inspector>,
+) {
+    if asked.is_changed() {
+        (inspector.followed, inspector.asked) = (asked.0, None);
+    }
+    let Some(view) = inspector.followed else {
+        return;
+    };
+    let scene = picture.scene();
+    let is_asked = |(asked, _): &(Scene, DVec2)| asked.without_clock() == scene.without_clock();
+    if !overlays.shows_inspector()
+        || pacing.moving
+        || inspector.asked.as_ref().is_some_and(is_asked)
+    {
+        return;
+    }
+    let size = scene.picture.size().as_dvec2();
+    let pixel = match view {
+        InspectorView::Closed | InspectorView::Open => None,
+        InspectorView::Place(share) => Some(DVec2::from(share) * size),
+        InspectorView::Toward(direction) => {
+            let from_camera = scene.camera.tetrad_from_camera();
+            let looking = from_camera.transpose() * DVec3::from(direction).normalize();
+            scene.camera.pixel_of(looking, size)
+        }
+    };
+    if let Some(pixel) = pixel {
+        inspector.side = SceneSide::Current;
+        inspector.asked = Some((scene.clone(), pixel));
+        inspector.ask();
+    }
+}
+
+/// Notes the direction of the ray that is shown of the present picture.
+fn note_shown_ray(
+    inspector: Res<Inspector>,
+    picture: PictureInWindow,
+    mut shown: ResMut<ShownRay>,
+) {
+    let is_current = |answer: &&InspectedRays| {
+        inspector.side == SceneSide::Current
+            && answer.scene.without_clock() == picture.scene().without_clock()
+    };
+    let answer = inspector.answer.as_ref().filter(is_current);
+    let numbers = answer.and_then(|answer| Some(&answer.rays.first()?.numbers));
+    shown.0 = numbers.map(|numbers| [numbers.er, numbers.etheta, numbers.ephi]);
 }
 
 impl Inspector {
@@ -187,6 +253,13 @@ fn show_inspector(
             if ui.button("Copy JSON").clicked() {
                 clipboard.copy(first.numbers.to_json());
                 toast.say("The ray's numbers are on the clipboard, as JSON");
+            }
+            let hint = "The figure on white paper with its caption and numbers, as a file to print";
+            if ui.button("Handout").on_hover_text(hint).clicked()
+                && let Some(page) =
+                    handout::handout(seen, &answer.rays, sketch, preferences.settings.units())
+            {
+                toast.say(save_handout(&seen.name, &page));
             }
         });
         let waits = first.numbers.gpu.is_none() && answer.gpu_fault.is_none();

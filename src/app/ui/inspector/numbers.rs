@@ -63,6 +63,11 @@ pub(super) fn show(
     }
 }
 
+/// What the ray shows and where it has been, as rows of names and values.
+pub(super) fn rows(ray: &Inspected, scene: &Scene, units: Units) -> Vec<(String, String)> {
+    light_and_path(ray, scene, units).0
+}
+
 fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
     let numbers = &ray.numbers;
     let opaque = scene.disk.transmission == 0.0;

@@ -4,13 +4,15 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand};
 use crate::app::controls::table::control_named;
 use crate::app::state::helm::CommandSender;
+use crate::app::state::lesson_draft::LessonDraft;
+use crate::app::state::lessons::{GuidedJourney, Lessons, StartJourney};
 use crate::app::state::menu::{Menu, MenuEntry, MenuList};
 use crate::app::state::missions::{Missions, StartMission};
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
-use lightfall_core::numbers::four_digits;
+use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::IN_BROWSER;
 
@@ -19,7 +21,11 @@ use lightfall_platform::IN_BROWSER;
 pub(super) struct MenuActions<'w> {
     pub(super) menu: ResMut<'w, Menu>,
     pub(super) missions: ResMut<'w, Missions>,
+    lessons: ResMut<'w, Lessons>,
+    draft: Res<'w, LessonDraft>,
+    guided: Res<'w, GuidedJourney>,
     starts: MessageWriter<'w, StartMission>,
+    flights: MessageWriter<'w, StartJourney>,
     editor: SceneEditor<'w>,
     commands: CommandSender<'w>,
 }
@@ -31,8 +37,12 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
         MenuEntry::Resume => ["Resume", "fly.escape"],
         MenuEntry::Places => ["Places", ""],
         MenuEntry::Missions => ["Missions", "ship.missions"],
-        // A mission has its title from the list.
-        MenuEntry::Mission(_) => ["", ""],
+        MenuEntry::Lessons => ["Lessons", ""],
+        // Missions and lessons have their titles from the lists.
+        MenuEntry::Mission(_) | MenuEntry::Lesson(_) => ["", ""],
+        MenuEntry::AddStop => ["Add this view as a stop", "lesson.add_stop"],
+        MenuEntry::SaveLesson => ["Save my lesson", "lesson.save"],
+        MenuEntry::NewLesson => ["Begin a new lesson", ""],
         MenuEntry::Journey => ["Guided journey", "journey.again"],
         MenuEntry::LetGo => ["Let go: fall or orbit", "motion.let_go"],
         MenuEntry::Help => ["Help: all keys", "window.help"],
@@ -56,6 +66,21 @@ impl MenuActions<'_> {
         let [name, control] = name_and_control(entry);
         match entry {
             MenuEntry::Mission(index) => self.mission_words(index),
+            MenuEntry::Lesson(index) => self.lesson_words(index),
+            MenuEntry::SaveLesson => {
+                let stops = counted(self.draft.stops(), "stop");
+                let saved = if self.draft.has_changed {
+                    ""
+                } else {
+                    ", saved"
+                };
+                let state = match self.draft.stops() {
+                    0 => "no stop yet".into(),
+                    _ => format!("{stops}{saved}"),
+                };
+                let key = bindings.first_label(&control);
+                [format!("{name}: {state}"), key]
+            }
             MenuEntry::Place(_) => [name, bindings.label(&control)],
             _ => [name, bindings.first_label(&control)],
         }
@@ -78,10 +103,28 @@ impl MenuActions<'_> {
         [mission.title.clone(), reached]
     }
 
+    /// A lesson's title, and how many stops it has.
+    fn lesson_words(&self, index: usize) -> [String; 2] {
+        let Some(lesson) = self.lessons.0.get(index) else {
+            return Default::default();
+        };
+        let title = match lesson.title.trim() {
+            "" => "Without a title",
+            title => title,
+        };
+        [title.to_owned(), counted(lesson.stops.len(), "stop")]
+    }
+
     /// The line below the entries.
     pub(super) fn hint(&self) -> String {
         const KEYS: &str = "Up, Down and Enter choose";
         let file = self.missions.results.file().filter(|_| !IN_BROWSER);
+        if let MenuEntry::Lesson(index) = self.menu.selected()
+            && let Some(lesson) = self.lessons.0.get(index)
+            && !lesson.teaches.is_empty()
+        {
+            return lesson.teaches.clone();
+        }
         match (self.menu.list(), file) {
             (MenuList::Missions(_), Some(file)) => {
                 format!("{KEYS}. Results are kept in {}", file.display())
@@ -105,6 +148,23 @@ impl MenuActions<'_> {
                     self.starts.write(StartMission(Box::new(mission.clone())));
                 }
             }
+            MenuEntry::Lessons => {
+                let faults = self.lessons.read();
+                if !faults.is_empty() {
+                    self.editor.say(faults.join("\n"));
+                }
+                return self.menu.show_lessons(self.lessons.0.len());
+            }
+            MenuEntry::Lesson(index) => {
+                if let Some(lesson) = self.lessons.0.get(index) {
+                    self.flights.write(StartJourney(Box::new(lesson.clone())));
+                }
+            }
+            MenuEntry::Journey => {
+                let guided = self.guided.0.clone();
+                self.flights.write(StartJourney(Box::new(guided)));
+            }
+            MenuEntry::NewLesson => self.commands.send(AppCommand::NewLesson),
             MenuEntry::Back => return self.menu.go_back(),
             MenuEntry::Resume => {}
             MenuEntry::Place(place) => {

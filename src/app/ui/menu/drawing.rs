@@ -8,7 +8,7 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 use egui::{Align2, Color32, FontId, Sense};
 
-/// Width of the first list and of those of places and missions, in points.
+/// Width of the first list and of those of places, missions and lessons, in points.
 const WIDTH: f32 = 300.0;
 const LIST_WIDTH: f32 = 640.0;
 /// Usual and minimum height of an entry, in points.
@@ -46,6 +46,7 @@ pub(super) fn show_menu(
                 MenuList::Main => "Lightfall",
                 MenuList::Places => "Places",
                 MenuList::Missions(_) => "Missions",
+                MenuList::Lessons(_) => "Lessons",
             };
             let hint = actions.hint();
             let entries = actions.menu.entries();
@@ -69,7 +70,7 @@ pub(super) fn show_menu(
 pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
     let width = match menu.list() {
         MenuList::Main => WIDTH,
-        MenuList::Places | MenuList::Missions(_) => LIST_WIDTH,
+        MenuList::Places | MenuList::Missions(_) | MenuList::Lessons(_) => LIST_WIDTH,
     };
     let entries = ENTRY_HEIGHT * menu.entries().len() as f32;
     let height = entries + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;

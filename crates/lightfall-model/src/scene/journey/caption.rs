@@ -11,6 +11,8 @@ use toml::Table;
 pub struct Caption {
     /// When it appears, in seconds after the journey's beginning.
     pub time: f64,
+    /// The same as its file says it, on the clock of the keyframes.
+    pub(super) at: f64,
     /// How long it stays, in seconds, unless the next caption appears before.
     pub seconds: f64,
     /// The sentence, on one line.
@@ -25,7 +27,7 @@ pub(super) fn read_captions(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Ca
     }
     let mut captions: Vec<Caption> = Vec::with_capacity(tables.len());
     for (index, table) in tables.into_iter().enumerate() {
-        let before = captions.last().map(|last| last.time + span[0]);
+        let before = captions.last().map(|last| last.at);
         captions.push(read(index + 1, table, before, span)?);
     }
     Ok(captions)
@@ -77,6 +79,7 @@ fn read(
         .ok_or_else(|| refused("text", text.as_ref(), allowed_line()))?;
     Ok(Caption {
         time: appears - start,
+        at: appears,
         seconds: stays,
         text: line,
     })

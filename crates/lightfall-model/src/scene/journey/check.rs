@@ -25,11 +25,11 @@ pub struct Unflyable {
 
 impl Journey {
     /// Checks that the journey can be flown in this scene from the time `from`, in seconds after
-    /// its beginning: at each keyframe, then at moments in between. `possible` says whether a scene
+    /// its beginning: at each keyframe, at each stop, then at moments in between. `possible` says whether a scene
     /// can be drawn.
     ///
     /// # Errors
-    /// The first keyframe that is refused, or else the first such moment.
+    /// The first keyframe that is refused, or else the first stop, or else the first such moment.
     pub fn check<T, E: Display>(
         &self,
         scene: &Scene,
@@ -43,13 +43,9 @@ impl Journey {
             there.camera.r = rounded(there.camera.r);
             Some(possible(there).err().unwrap_or(reason))
         };
-        let ahead = |time: &f64| *time - self.times[0] >= from;
-        for (index, &time) in self
-            .times
-            .iter()
-            .enumerate()
-            .filter(|(_, time)| ahead(time))
-        {
+        let times = self.times();
+        let ahead = |time: &f64| *time - times[0] >= from;
+        for (index, &time) in times.iter().enumerate().filter(|(_, time)| ahead(time)) {
             if let Some(reason) = refusal(time) {
                 return Err(Unflyable {
                     place: format!("keyframe {} (time = {time})", index + 1),
@@ -57,7 +53,15 @@ impl Journey {
                 });
             }
         }
-        for (index, pair) in self.times.windows(2).enumerate() {
+        for (index, stop) in self.stops.iter().enumerate() {
+            if let Some(reason) = refusal(stop.at).filter(|_| ahead(&stop.at)) {
+                return Err(Unflyable {
+                    place: format!("stop {} (at = {})", index + 1, stop.at),
+                    reason,
+                });
+            }
+        }
+        for (index, pair) in times.windows(2).enumerate() {
             let (start, end) = (pair[0], pair[1]);
             // The last moment is just before the next keyframe, where the observer may change.
             let inner =

@@ -14,6 +14,12 @@ pub(super) const MAX_SECONDS: f64 = 86_400.0;
 pub(super) const MAX_CAPTIONS: usize = 1000;
 /// Maximum number of characters of a caption: two lines in large letters.
 pub(super) const MAX_CAPTION_CHARS: usize = 160;
+/// Maximum number of stops of a journey.
+pub(super) const MAX_STOPS: usize = 200;
+/// Maximum number of lines and of characters of a stop's caption: what a window of the usual size shows
+/// beside the picture.
+pub(super) const MAX_STOP_LINES: usize = 10;
+pub(super) const MAX_STOP_CHARS: usize = 700;
 /// How long a caption stays that does not say so, in seconds.
 pub(super) const CAPTION_SECONDS: f64 = 6.0;
 

@@ -17,9 +17,9 @@ impl Journey {
             ("disk_time", "disk.time", !self.clock.times.is_empty()),
         ];
         let scenes: Vec<Scene> = self
-            .times
-            .iter()
-            .map(|time| self.scene_at(*time, scene))
+            .times()
+            .into_iter()
+            .map(|time| self.scene_at(time, scene))
             .collect();
         let idle = named.into_iter().filter_map(|(name, key, is_named)| {
             let mut reasons = scenes.iter().map(|there| there.idle(key, Output::Sequence));
@@ -34,7 +34,7 @@ impl Journey {
     /// The scene at the keyframe of this time.
     pub(super) fn scene_at(&self, time: f64, scene: &Scene) -> Scene {
         let mut there = scene.clone();
-        self.apply(time - self.times[0], &mut there);
+        self.apply(time - self.keyframes[0].time, &mut there);
         there
     }
 }

@@ -14,13 +14,14 @@ pub(super) const TABLE: &str = "keyframe";
 pub(super) type Values = BTreeMap<&'static str, Value>;
 
 /// One keyframe, each value checked.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Keyframe {
     /// When it is, in seconds.
     pub(super) time: f64,
     /// What it names.
     pub(super) values: Values,
-    /// The same, with what differs for an observer that falls freely.
-    pub(super) values_in_rain: Values,
+    /// What differs for an observer that falls freely.
+    pub(super) in_rain: Values,
 }
 
 impl Keyframe {
@@ -43,14 +44,18 @@ impl Keyframe {
         if let Some(key) = NOT_IN_RAIN.iter().find(|key| in_rain.contains_key(**key)) {
             return Err(unknown(&format!("rain.{key}")));
         }
-        let values = checked(number, &frame)?;
-        let mut values_in_rain = values.clone();
-        values_in_rain.extend(checked(number, &in_rain)?);
         Ok(Self {
             time,
-            values,
-            values_in_rain,
+            values: checked(number, &frame)?,
+            in_rain: checked(number, &in_rain)?,
         })
+    }
+
+    /// The values for an observer that falls freely.
+    pub(super) fn values_in_rain(&self) -> Values {
+        let mut values = self.values.clone();
+        values.extend(self.in_rain.clone());
+        values
     }
 }
 

@@ -5,7 +5,9 @@ use super::caption::{allowed_line, line, read_captions};
 use super::clock::Clock;
 use super::error::{Fault, JourneyError};
 use super::format::MAX_KEYFRAMES;
+use super::key_line::line_of;
 use super::keyframe::{Keyframe, TABLE, Values};
+use super::read_stop::read_stops;
 use super::tracks::{Tracks, component};
 use crate::scene::ObserverKind;
 use crate::scene::fields::field;
@@ -21,36 +23,43 @@ use toml::Table;
 /// One sentence that names the file, the keyframe or caption, what was given and what is allowed.
 pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
     let journey = table(text).map_err(Fault::from).and_then(journey);
-    journey.map_err(|fault| JourneyError {
-        origin: origin.into(),
-        fault,
+    journey.map_err(|mut fault| {
+        if let Fault::StopKey {
+            line, number, key, ..
+        } = &mut fault
+        {
+            *line = line_of(text, ["stop", key], *number);
+        }
+        JourneyError {
+            origin: origin.into(),
+            fault,
+        }
     })
 }
 
 /// The journey that a TOML table describes.
 fn journey(table: Table) -> Result<Journey, Fault> {
-    let (mut title, mut ending, mut preset) = (String::new(), String::new(), None);
-    let (mut frames, mut captions) = (Vec::new(), Vec::new());
+    let [mut title, mut teaches, mut ending] = [const { String::new() }; 3];
+    let mut preset = None;
+    let [mut frames, mut captions, mut stops] = [const { Vec::new() }; 3];
+    let is_list_of_tables = |values: &[toml::Value]| values.iter().all(toml::Value::is_table);
     for (key, value) in table {
         match (key.as_str(), value) {
             ("schema", toml::Value::Integer(_)) => {}
             ("title", value @ toml::Value::String(_)) if is_title(&value) => {
                 title = value.as_str().unwrap_or_default().into();
             }
-            ("ending", value) => {
-                ending = line(&value).ok_or_else(|| Fault::Ending {
-                    given: given(&value),
-                    allowed: allowed_line(),
-                })?;
-            }
+            ("teaches", value) => teaches = read_line("teaches", &value)?,
+            ("ending", value) => ending = read_line("ending", &value)?,
             ("preset", value) => preset = Some(read_preset(&value)?),
-            ("keyframe", toml::Value::Array(values))
-                if values.iter().all(toml::Value::is_table) =>
-            {
+            ("keyframe", toml::Value::Array(values)) if is_list_of_tables(&values) => {
                 frames = tables(values);
             }
-            ("caption", toml::Value::Array(values)) if values.iter().all(toml::Value::is_table) => {
+            ("caption", toml::Value::Array(values)) if is_list_of_tables(&values) => {
                 captions = tables(values);
+            }
+            ("stop", toml::Value::Array(values)) if is_list_of_tables(&values) => {
+                stops = tables(values);
             }
             (key, _) if is_table(key) => return Err(Fault::FieldOfScenes { key: key.into() }),
             (_, value) => {
@@ -62,8 +71,10 @@ fn journey(table: Table) -> Result<Journey, Fault> {
         }
     }
     let keyframes = read_keyframes(frames)?;
-    check_velocities(keyframes.iter().map(|frame| &frame.values))?;
-    check_velocities(keyframes.iter().map(|frame| &frame.values_in_rain))?;
+    let values: Vec<Values> = keyframes.iter().map(|frame| frame.values.clone()).collect();
+    let in_rain: Vec<Values> = keyframes.iter().map(Keyframe::values_in_rain).collect();
+    check_velocities(values.iter())?;
+    check_velocities(in_rain.iter())?;
     let [start, end] = [keyframes[0].time, keyframes[keyframes.len() - 1].time];
     let kind = |frame: &Keyframe| match frame.values.get("observer")? {
         Value::Word(word) => Some((frame.time - start, ObserverKind::from_word(word)?)),
@@ -76,26 +87,26 @@ fn journey(table: Table) -> Result<Journey, Fault> {
         };
         keyframes.iter().filter_map(number).collect()
     };
-    let tracks = |values: fn(&Keyframe) -> &Values| {
-        let timed = keyframes
-            .iter()
-            .map(|frame| (frame.time - start, values(frame)));
-        Tracks::through(&timed.collect::<Vec<_>>())
+    let tracks = |values: &[Values]| {
+        let times = keyframes.iter().map(|frame| frame.time - start);
+        Tracks::through(&times.zip(values).collect::<Vec<_>>())
     };
     Ok(Journey {
         title,
+        teaches,
         ending,
         preset,
         captions: read_captions(captions, [start, end])?,
+        stops: read_stops(stops, [start, end])?,
         duration: end - start,
-        times: keyframes.iter().map(|frame| frame.time).collect(),
-        tracks: tracks(|frame| &frame.values),
-        tracks_in_rain: tracks(|frame| &frame.values_in_rain),
+        tracks: tracks(&values),
+        tracks_in_rain: tracks(&in_rain),
         kinds: keyframes.iter().filter_map(kind).collect(),
         clock: Clock {
             rates: numbers("disk_rate"),
             times: numbers("disk_time"),
         },
+        keyframes,
     })
 }
 
@@ -107,6 +118,15 @@ fn tables(values: Vec<toml::Value>) -> Vec<Table> {
             _ => None,
         })
         .collect()
+}
+
+/// The line of text of a key at the top level.
+fn read_line(key: &'static str, value: &toml::Value) -> Result<String, Fault> {
+    line(value).ok_or_else(|| Fault::Line {
+        key,
+        given: given(value),
+        allowed: allowed_line(),
+    })
 }
 
 /// Whether a text can be the title of a journey: whether it can be a scene's.

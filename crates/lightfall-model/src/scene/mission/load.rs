@@ -3,11 +3,11 @@
 use super::error::{Fault, MissionError};
 use super::text::{BurnText, HoleOfMission, Start, Text};
 use super::{Burn, Mission, Push, Until};
+use crate::scene::Override;
 use crate::scene::error::{SceneError, SceneFault};
 use crate::scene::from_toml::{syntax, table};
 use crate::scene::presets;
 use crate::scene::range::number;
-use crate::scene::Override;
 
 /// Largest number of characters of a line of text, such as a title.
 const MAX_LINE: usize = 120;

@@ -2,6 +2,7 @@
 
 use super::{Condition, Quantity};
 use crate::scene::ObserverKind;
+use crate::scene::question::Question;
 use serde::Deserialize;
 
 /// The text of a mission, table by table.
@@ -138,18 +139,6 @@ pub struct Hint {
     pub text: String,
     /// After how many.
     pub after: u32,
-}
-
-/// A question with a number as its answer.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Question {
-    /// The question.
-    pub text: String,
-    /// The answer.
-    pub answer: f64,
-    /// By how much an answer may differ.
-    pub tolerance: f64,
 }
 
 /// What a good flight needs.

@@ -19,6 +19,17 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), WriteError> 
     write().map_err(|error| WriteError::new(path, error))
 }
 
+/// Writes a new file.
+///
+/// # Errors
+/// There is a file of this name already, or as [`write_atomically`].
+pub fn write_new(path: &Path, contents: &[u8]) -> Result<(), WriteError> {
+    if exists(path) {
+        return Err(WriteError::new(path, ErrorKind::AlreadyExists.into()));
+    }
+    write_atomically(path, contents)
+}
+
 /// Creates nothing: folders exist by the paths of their files.
 ///
 /// # Errors

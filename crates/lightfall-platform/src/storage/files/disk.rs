@@ -22,6 +22,22 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), WriteError> 
     write().map_err(|error| WriteError::new(path, error))
 }
 
+/// Writes a new file, complete or not at all.
+///
+/// # Errors
+/// There is a file of this name already, which stays as it is; or the folder does not exist, or the
+/// file cannot be written.
+pub fn write_new(path: &Path, contents: &[u8]) -> Result<(), WriteError> {
+    let write = || {
+        let mut file = temporary_file(parent_folder(path))?;
+        file.write_all(contents)?;
+        file.as_file().sync_all()?;
+        file.persist_noclobber(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    write().map_err(|error| WriteError::new(path, error))
+}
+
 /// Checks that a file can be created at `path`, without creating it.
 ///
 /// # Errors

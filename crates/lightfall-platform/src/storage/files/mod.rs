@@ -8,11 +8,13 @@ mod text;
 mod write_error;
 
 #[cfg(target_arch = "wasm32")]
-pub use browser::{create_parent_folder, exists, files_in, read, remove, rename, write_atomically};
+pub use browser::{
+    create_parent_folder, exists, files_in, read, remove, rename, write_atomically, write_new,
+};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::{
     check_folder_writable, check_name, check_writable, create_parent_folder, exists, files_in,
-    read, remove, rename, write_atomically,
+    read, remove, rename, write_atomically, write_new,
 };
 
 pub use text::{TextError, read_text, text_of};

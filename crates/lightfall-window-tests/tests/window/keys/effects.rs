@@ -117,6 +117,8 @@ pub const EFFECTS: &[(&str, Effect)] = &[
     ("journey.again", Script(scripts::journey_again)),
     ("journey.back", Script(scripts::journey_back)),
     ("journey.ahead", Script(scripts::journey_ahead)),
+    ("lesson.add_stop", Script(scripts::add_stop)),
+    ("lesson.save", Script(scripts::save_lesson)),
     ("motion.pause", Script(scripts::pause)),
     ("preset.1", Loads("telescope")),
     ("preset.2", Loads("edge-on")),

@@ -280,3 +280,16 @@ pub fn quit(session: &mut Session, key: &str) {
     let status = session.ended();
     assert!(status.success(), "{key}: {}", session.stderr());
 }
+
+pub fn add_stop(session: &mut Session, key: &str) {
+    session.press(key);
+    session.wait_for(key, |state| state.shows("Stop 1 of your lesson is noted"));
+}
+
+/// The control before has added a stop.
+pub fn save_lesson(session: &mut Session, key: &str) {
+    session.press(key);
+    session.wait_for(key, |state| state.shows("Saved: "));
+    let file = session.settings().with_file_name("lessons/lesson-1.toml");
+    assert!(file.is_file(), "{key}: {} is not there", file.display());
+}

@@ -1,0 +1,250 @@
+//! Lessons: played by keys to their end, left, and made in the window.
+
+use crate::PLAIN;
+use crate::desktop::Desktop;
+use lightfall_core::scene::Value;
+use lightfall_core::scene::journey::{SideBySide, load};
+use std::path::PathBuf;
+use watched::{Order, State};
+
+/// Time of a frame, in seconds.
+const STEP: f64 = 0.05;
+/// Frames in which a journey would go on.
+const WHILE: u32 = 30;
+
+fn has_box(state: &State, name: &str) -> bool {
+    state.boxes.iter().any(|(other, _)| other == name)
+}
+
+/// Waits for the card of a stop, e.g. `2 of 7`.
+#[track_caller]
+fn wait_for_stop(desktop: &Desktop, which: &str) -> State {
+    desktop.wait_for(which, |state| {
+        has_box(state, "stop") && state.mentions(&format!("· {which}"))
+    })
+}
+
+fn is_on(state: &State, key: &str) -> bool {
+    state.scene[key] == true
+}
+
+/// Begins the lesson at this place in the list.
+fn begin_from_menu(desktop: &Desktop, place: usize) {
+    desktop.press("Escape");
+    desktop.wait_for("the menu", |state| state.menu && state.shows("Lessons"));
+    for key in ["Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the list", |state| {
+        state.menu && state.shows("What is the shadow?") && state.shows("Save my lesson")
+    });
+    for _ in 0..place {
+        desktop.press("Down");
+    }
+    desktop.press("Return");
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_lesson_is_played_by_keys_to_its_end_and_what_it_has_switched_is_put_back() {
+    let mut desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    begin_from_menu(&desktop, 1);
+    let first = wait_for_stop(&desktop, "1 of 7");
+    assert_eq!(first.scene["name"], "above");
+    assert_eq!(first.scene["disk.structure"], "none");
+    // The journey waits, however long it takes.
+    let later = desktop.later(WHILE);
+    assert_eq!((first.journey, later.journey), (Some(0.0), Some(0.0)));
+    // Space goes on, and does not fly.
+    desktop.press("space");
+    let second = wait_for_stop(&desktop, "2 of 7");
+    assert!(second.journey == Some(1.0) && (second.number("camera.theta_deg") - 80.0).abs() < 1e-9);
+    desktop.wait_for("the ray of the stop", |state| {
+        state.shows("Ray inspector") && state.mentions("g 1.302")
+    });
+    // So does the key of a presenter's remote.
+    desktop.press("Next");
+    wait_for_stop(&desktop, "3 of 7");
+    desktop.wait_for("its ray", |state| state.mentions("g 0.5745"));
+    desktop.press("Next");
+    wait_for_stop(&desktop, "4 of 7");
+    let compared = desktop.wait_for("two pictures", |state| state.comparison == "two pictures");
+    assert!(!is_on(&compared, "effects.beaming") && !compared.shows("Ray inspector"));
+    // Back, as it was there.
+    desktop.press("Prior");
+    wait_for_stop(&desktop, "3 of 7");
+    let back = desktop.wait_for("one picture", |state| state.comparison.is_empty());
+    assert!(is_on(&back, "effects.beaming") && back.shows("Ray inspector"));
+    for which in ["4 of 7", "5 of 7", "6 of 7"] {
+        desktop.press("Next");
+        wait_for_stop(&desktop, which);
+    }
+    assert_eq!(desktop.state().scene["view"], "redshift");
+    // On the way, the key shows the next stop at once.
+    desktop.press("Next");
+    desktop.press("Next");
+    let last = wait_for_stop(&desktop, "7 of 7");
+    assert_eq!(last.scene["view"], "colour");
+    desktop.click_at(field_of_answer(&last));
+    for key in ["0", "period", "8", "8", "9", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the right answer", |state| {
+        state.mentions("Right: it is 0.8885")
+    });
+    desktop.press("space");
+    let end = desktop.wait_for("the end card", |state| has_box(state, "end card"));
+    assert!(end.journey.is_none() && !has_box(&end, "stop"));
+    desktop.wait_for("the preset's own fields", |state| {
+        state.scene["disk.structure"] == "turbulent" && state.scene["sky.mode"] == "stars"
+    });
+    desktop.press("Escape");
+    desktop.press("BackSpace");
+    desktop.wait_for("the first scene", |state| state.scene["name"] == "edge-on");
+    assert!(
+        desktop.running() && !desktop.stderr().contains("ERROR"),
+        "{}",
+        desktop.stderr()
+    );
+}
+
+/// The middle of the field for the answer, which is left of its button.
+fn field_of_answer(state: &State) -> [i32; 2] {
+    let button = state.place_of("Answer").unwrap();
+    let in_line = state.widgets.iter().filter(|place| {
+        let [_, y] = button;
+        place.max[0] < button[0] && (place.min[1]..place.max[1]).contains(&y)
+    });
+    let field = in_line
+        .max_by(|a, b| a.max[0].total_cmp(&b.max[0]))
+        .unwrap();
+    field.centre().map(|x| x as i32)
+}
+
+/// A lesson that is flown in the scene that is shown.
+const PLAIN_LESSON: &str = "schema = 1\ntitle = \"Plain\"\n[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 2\nr = 15\n\
+    [[stop]]\nat = 0\ncaption = \"\"\"\nFirst line.\nSecond line.\"\"\"\neffects.doppler = false\nguides = true\n\
+    [[stop]]\nat = 1\nview = \"classes\"\n";
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn at_a_stop_the_hands_have_the_camera_and_leaving_puts_back_what_stops_switched() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plain-lesson.toml");
+    std::fs::write(&file, PLAIN_LESSON).unwrap();
+    let desktop = Desktop::open_small(&["--preset", PLAIN, "--journey", file.to_str().unwrap()]);
+    desktop.order(&Order::Step(STEP));
+    let first = wait_for_stop(&desktop, "1 of 2");
+    assert!(first.shows("First line.") && !is_on(&first, "effects.doppler"));
+    desktop.wait_for("the guides", |state| state.shows("edge of the shadow"));
+    // Keys still switch, and the camera flies, while the lesson waits.
+    desktop.press("x");
+    desktop.wait_for("no beaming", |state| !is_on(state, "effects.beaming"));
+    desktop.hold("w");
+    desktop.wait_for("W", |state| state.number("camera.r") < 19.0);
+    desktop.let_go("w");
+    let flown = desktop.later(WHILE);
+    assert!(has_box(&flown, "stop") && flown.journey == Some(0.0));
+    // The lesson goes on from there, gently.
+    desktop.press("space");
+    let second = wait_for_stop(&desktop, "2 of 2");
+    assert_eq!(second.scene["view"], "classes");
+    assert!(!is_on(&second, "effects.doppler") && !is_on(&second, "effects.beaming"));
+    // Leaving puts back what the stops have switched, and not what the hand has.
+    desktop.press("j");
+    let left = desktop.wait_for("J leaves", |state| {
+        state.journey.is_none()
+            && is_on(state, "effects.doppler")
+            && state.scene["view"] == "colour"
+    });
+    assert!(!is_on(&left, "effects.beaming"));
+    desktop.wait_for("no guides", |state| !state.shows("edge of the shadow"));
+    // J goes on at the stop where it was left.
+    desktop.press("j");
+    let again = wait_for_stop(&desktop, "2 of 2");
+    assert_eq!(again.scene["view"], "classes");
+    // Another scene ends the lesson, and is as it is.
+    desktop.press("4");
+    let other = desktop.wait_for("preset 4", |state| {
+        state.journey.is_none() && state.scene["name"] == "close"
+    });
+    assert!(is_on(&other, "effects.doppler") && !has_box(&other, "stop"));
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_lesson_made_by_keys_is_saved_and_plays_again() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    let file = |number: u32| -> PathBuf {
+        let folder = desktop.settings().with_file_name("lessons");
+        folder.join(format!("lesson-{number}.toml"))
+    };
+    desktop.press("ctrl+l");
+    desktop.wait_for("nothing to save", |state| {
+        state.shows("The lesson has no stop yet")
+    });
+    desktop.press("shift+l");
+    let noted = desktop.wait_for("the first stop", |state| {
+        state.shows("Stop 1 of your lesson")
+    });
+    assert!(noted.mentions(file(1).to_str().unwrap()) && !file(1).exists());
+    for key in ["z", "0", "F10"] {
+        desktop.press(key);
+    }
+    desktop.hold("w");
+    desktop.wait_for("W", |state| state.number("camera.r") < 18.0);
+    desktop.let_go("w");
+    desktop.later(5);
+    let second = desktop.press("shift+l");
+    desktop.wait_for("the second stop", |state| {
+        state.shows("Stop 2 of your lesson")
+    });
+    desktop.press("ctrl+l");
+    desktop.wait_for("saved", |state| state.shows("Saved: "));
+    let text = std::fs::read_to_string(file(1)).unwrap();
+    let journey = load("lesson-1.toml", &text).unwrap();
+    let [_, stop] = journey.stops.as_slice() else {
+        panic!("{text}")
+    };
+    assert_eq!(stop.fields, [("effects.doppler", Value::Boolean(false))]);
+    assert_eq!(
+        (stop.guides, stop.side_by_side),
+        (Some(true), Some(SideBySide::Divided))
+    );
+
+    // A file that was edited since is somebody's own: the lesson goes into another one.
+    let edited = text.replacen("caption = \"\"", "caption = \"What do you see?\"", 1);
+    std::fs::write(file(1), &edited).unwrap();
+    desktop.press("shift+l");
+    desktop.wait_for("the third stop", |state| {
+        state.shows("Stop 3 of your lesson")
+    });
+    desktop.press("ctrl+l");
+    desktop.wait_for("saved again", |state| state.mentions("lesson-2.toml"));
+    assert_eq!(std::fs::read_to_string(file(1)).unwrap(), edited);
+    assert_eq!(
+        load("2", &std::fs::read_to_string(file(2)).unwrap())
+            .unwrap()
+            .stops
+            .len(),
+        3
+    );
+
+    // After the three built-in ones comes the lesson, with the caption that was written.
+    desktop.press("4");
+    desktop.wait_for("another scene", |state| state.scene["name"] == "close");
+    begin_from_menu(&desktop, 3);
+    let begun = wait_for_stop(&desktop, "1 of 2");
+    assert!(begun.shows("What do you see?") && is_on(&begun, "effects.doppler"));
+    desktop.press("space");
+    let played = wait_for_stop(&desktop, "2 of 2");
+    assert!(!is_on(&played, "effects.doppler") && played.comparison == "side by side");
+    let places = [&played, &second].map(|state| state.number("camera.r"));
+    assert!((places[0] - places[1]).abs() < 1e-6, "{places:?}");
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+}

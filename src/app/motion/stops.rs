@@ -1,0 +1,99 @@
+//! What the stops of a journey switch around the picture: guides, the comparison and the ray inspector.
+//! When the journey is left, all that its stops have switched is put back.
+
+use super::journey::{advance_journey, put_fields_back};
+use super::journey_player::{JourneyPlayer, ShownStops};
+use crate::app::state::lessons::{AskedRay, LessonUnderWay};
+use crate::app::state::overlays::{Overlays, Side};
+use crate::app::state::scene_editor::SceneEditor;
+use bevy::prelude::*;
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::{InspectorView, SideBySide, Switches};
+use lightfall_render::{Comparison, ComparisonMode, Pinned};
+
+/// What was shown before the stops switched anything, and what they have switched since.
+#[derive(Resource, Default)]
+struct Stage {
+    before: Option<Around>,
+    shown: Option<ShownStops>,
+}
+
+/// What is shown around the picture.
+struct Around {
+    guides: bool,
+    inspector: bool,
+    comparison: Option<(Pinned, ComparisonMode)>,
+    /// The scene, whose fields are those of a side that stops compare with.
+    scene: Scene,
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Stage>()
+        .add_systems(Update, follow_stops.after(advance_journey));
+}
+
+fn follow_stops(
+    mut player: ResMut<JourneyPlayer>,
+    mut stage: ResMut<Stage>,
+    mut overlays: ResMut<Overlays>,
+    mut comparison: ResMut<Comparison>,
+    mut asked: ResMut<AskedRay>,
+    mut under_way: ResMut<LessonUnderWay>,
+    mut editor: SceneEditor,
+) {
+    under_way.set_if_neq(LessonUnderWay(player.has_lesson()));
+    let shown = player.shown_stops().filter(|_| player.has_lesson());
+    let Some(now) = shown else {
+        if player.has_lesson() {
+            return;
+        }
+        if !player.is_playing() {
+            put_fields_back(&mut player, &mut editor);
+        }
+        // Nothing is touched without need, since a comparison that changes is drawn again.
+        if let Some(before) = stage.before.take() {
+            overlays.guides = before.guides;
+            overlays.show_side(Side::Left, before.inspector);
+            comparison.0 = before.comparison;
+            asked.0 = None;
+        }
+        return;
+    };
+    if stage.before.is_some() && stage.shown == Some(now) {
+        return;
+    }
+    let before = stage.before.get_or_insert_with(|| Around {
+        guides: overlays.guides,
+        inspector: overlays.inspector,
+        comparison: comparison.0.clone(),
+        scene: editor.scene(),
+    });
+    let switches = player.journey().switches_of(now.stops);
+    overlays.guides = switches.guides.unwrap_or(before.guides);
+    let inspects = switches.inspector.map(|view| view != InspectorView::Closed);
+    overlays.show_side(Side::Left, inspects.unwrap_or(before.inspector));
+    asked.set_if_neq(AskedRay(switches.inspector));
+    comparison.0 = compared(&player, &switches, before);
+    stage.shown = Some(now);
+}
+
+/// The comparison after these switches: with what the stops before had led to.
+fn compared(
+    player: &JourneyPlayer,
+    switches: &Switches,
+    before: &Around,
+) -> Option<(Pinned, ComparisonMode)> {
+    let divider = ComparisonMode::MIDDLE;
+    let mode = match switches.side_by_side {
+        None => return before.comparison.clone(),
+        Some(SideBySide::Off) => return None,
+        Some(SideBySide::Divided) => ComparisonMode::SideBySide { divider },
+        Some(SideBySide::TwoPictures) => ComparisonMode::TwoPictures,
+    };
+    let fields = switches.beside.as_ref()?;
+    let mut beside = before.scene.clone();
+    player
+        .journey()
+        .switch(fields, player.base().unwrap_or(&before.scene), &mut beside);
+    Some((Pinned::new(&beside), mode))
+}

@@ -1,0 +1,178 @@
+//! The card of the stop at which a lesson waits: its lines, its question, and what goes on.
+
+use super::board::{BRIGHT, QUIET, WARNING};
+use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::app::controls::control::AppCommand;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::state::helm::CommandSender;
+use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::screen::{Screen, text_box};
+use bevy::prelude::*;
+use bevy_egui::egui::{self, Align2, Color32, RichText, vec2};
+use lightfall_core::scene::Question;
+
+/// Name of the card, which is its egui area.
+const NAME: &str = "stop";
+/// Largest width of the card, in points.
+const MAX_WIDTH: f32 = 780.0;
+/// Sizes of the caption, in points, the usual one first, and the largest share of the window's height
+/// that the card may take before the next one is tried.
+const SIZES: [f32; 4] = [19.0, 16.0, 13.5, 11.5];
+const MAX_SHARE: f32 = 0.36;
+/// Size of the other words against the caption's.
+const SMALL: f32 = 0.75;
+/// Width of the field for an answer, in points.
+const FIELD: f32 = 110.0;
+/// Room for the toast below the card, in points.
+const TOAST: f32 = 44.0;
+
+/// The answer to a stop's question.
+#[derive(Default)]
+pub(super) struct Answer {
+    /// The stop's number, and when it is.
+    stop: Option<(usize, f64)>,
+    typed: String,
+    said: String,
+    /// Which of the sizes the card has.
+    size: usize,
+}
+
+/// What is used on the card.
+#[derive(Default)]
+struct Used {
+    command: Option<AppCommand>,
+    answers: bool,
+}
+
+pub(super) fn show_stop(
+    mut screen: Screen,
+    player: Res<JourneyPlayer>,
+    (bindings, pads, connected): (Res<Bindings>, Res<PadBindings>, Query<&Gamepad>),
+    mut answer: Local<Answer>,
+    mut commands: CommandSender,
+) {
+    let Some((stop, number)) = player.waits_at() else {
+        return;
+    };
+    let Some((context, layout)) = screen.texts() else {
+        return;
+    };
+    let is = Some((number, stop.time));
+    if answer.stop != is {
+        *answer = Answer {
+            stop: is,
+            ..Answer::default()
+        };
+    }
+    let journey = player.journey();
+    let head = format!("{number} of {}", journey.stops.len());
+    let head = match journey.title.trim() {
+        "" => head,
+        title => format!("{title} · {head}"),
+    };
+    let with_pad = !connected.is_empty();
+    let key = |key: &str, button: &str| match with_pad {
+        true => pads.label(button),
+        false => bindings.first_label(key),
+    };
+    let back = (number > 1).then(|| key("preset.previous", "preset.previous"));
+    let keys = [key("fly.up", "journey.fly"), back.unwrap_or_default()];
+    let shown = context.memory(|memory| memory.area_rect(NAME));
+    let size = shown.map_or(
+        vec2(MAX_WIDTH.min(layout.bounds().width()), 120.0),
+        |shown| shown.size(),
+    );
+    // A card that is too high for the window is written smaller.
+    let most = MAX_SHARE * context.content_rect().height();
+    if size.y > most && shown.is_some() && answer.size + 1 < SIZES.len() {
+        answer.size += 1;
+        context.request_repaint();
+    }
+    let place = place_of(layout, size);
+    layout.take(NAME, place);
+    let mut used = Used::default();
+    egui::Area::new(NAME.into())
+        .fixed_pos(place.min)
+        .constrain(false)
+        .order(egui::Order::Foreground)
+        .show(context, |ui| {
+            ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
+            text_box(12.0, 8.0).show(ui, |ui| {
+                let size = SIZES[answer.size];
+                ui.spacing_mut().item_spacing.y = 0.35 * size;
+                ui.label(words(&head, SMALL * size, WARNING));
+                if !stop.caption.is_empty() {
+                    ui.label(words(&stop.caption, size, BRIGHT));
+                }
+                if let Some(question) = &stop.question {
+                    used.answers = ask(ui, question, &mut answer, size);
+                }
+                used.command = show_ways(ui, keys, SMALL * size);
+            });
+        });
+    if let Some(question) = stop.question.as_ref().filter(|_| used.answers) {
+        answer.said = match question.judge(&answer.typed) {
+            Ok((_, said)) | Err(said) => said,
+        };
+    }
+    if let Some(command) = used.command {
+        commands.send(command);
+    }
+}
+
+/// The place of a card of this size: above the toast, and over the hole rather than nowhere.
+fn place_of(layout: &Layout, size: egui::Vec2) -> egui::Rect {
+    let wish = layout.above_read_outs(TOAST);
+    let lowest = layout.at(Align2::CENTER_BOTTOM, Slide::Anywhere);
+    [wish, lowest.even_over_hole()]
+        .into_iter()
+        .find_map(|wish| layout.wished(size, wish))
+        .unwrap_or_else(|| Align2::CENTER_BOTTOM.align_size_within_rect(size, layout.bounds()))
+}
+
+fn words(text: &str, size: f32, colour: Color32) -> RichText {
+    RichText::new(text).size(size).color(colour)
+}
+
+/// Asks the question. Returns whether an answer was given.
+fn ask(ui: &mut egui::Ui, question: &Question, answer: &mut Answer, size: f32) -> bool {
+    ui.label(words(&question.text, 0.9 * size, BRIGHT));
+    let mut answers = false;
+    ui.horizontal(|ui| {
+        let edit = egui::TextEdit::singleline(&mut answer.typed).desired_width(FIELD);
+        let field = ui.add(edit);
+        if !question.unit.is_empty() {
+            ui.label(words(&question.unit, 0.9 * size, BRIGHT));
+        }
+        let enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
+        answers = field.lost_focus() && enter || ui.button("Answer").clicked();
+        ui.label(words(&answer.said, 0.9 * size, WARNING));
+    });
+    answers
+}
+
+/// Shows the buttons that go on and back, with their keys. Returns what was clicked.
+fn show_ways(ui: &mut egui::Ui, keys: [String; 2], size: f32) -> Option<AppCommand> {
+    let [on, back] = keys;
+    let ways = [
+        ("Go on", on, AppCommand::GoOn),
+        ("Back", back, AppCommand::GoBack),
+    ];
+    let mut clicked = None;
+    ui.horizontal(|ui| {
+        for (name, key, command) in ways {
+            if command == AppCommand::GoBack && key.is_empty() {
+                continue;
+            }
+            let text = words(name, size, BRIGHT);
+            // As high as a finger needs.
+            let button = egui::Button::new(text).min_size(vec2(72.0, 34.0));
+            if ui.add(button).clicked() {
+                clicked = Some(command);
+            }
+            ui.label(words(&key, size, QUIET));
+            ui.add_space(8.0);
+        }
+    });
+    clicked
+}
