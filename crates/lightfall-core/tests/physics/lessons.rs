@@ -81,8 +81,8 @@ impl Lesson {
         self.compared.set(self.compared.get() + values.len());
     }
 
-    /// All captions' numbers were compared.
-    fn is_complete(self) {
+    /// Checks that the numbers of all captions were compared.
+    fn ends(&self) {
         let captions = self
             .journey
             .stops
@@ -166,7 +166,7 @@ fn the_numbers_of_the_lesson_about_the_shadow_are_those_of_the_reference() {
     lesson.states(7, &[far.to_degrees(), far.sin(), 60.0 * far.sin()]);
     let question = lesson.stop(7).question.clone().unwrap();
     assert!((2.0 * CRITICAL_IMPACT * 12.0 - question.answer).abs() < 0.01);
-    lesson.is_complete();
+    lesson.ends();
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn the_numbers_of_the_lesson_about_the_bright_side_are_those_of_the_reference() 
     lesson.states(7, &[1.5]);
     let question = lesson.stop(7).question.clone().unwrap();
     assert!((formula(6.0) - question.answer).abs() < 1e-4);
-    lesson.is_complete();
+    lesson.ends();
 }
 
 #[test]
@@ -240,5 +240,5 @@ fn the_numbers_of_the_lesson_about_two_clocks_are_those_of_the_reference() {
     let second = MASSES[0].seconds();
     assert!(question.text.contains(&format!("{second:.2} s")) && MASSES[0].suns == 4.3e6);
     assert!((left(1.0) * second - question.answer).abs() < 0.01);
-    lesson.is_complete();
+    lesson.ends();
 }
