@@ -35,8 +35,8 @@ pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::ship::{
-    Engine, Flown, HEADINGS, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, lamps,
-    own_time_rate, path_ahead, solution_time,
+    Engine, Flown, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, lamps, own_time_rate,
+    solution_time,
 };
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};
 pub use motion::zoom::zoomed;
@@ -58,7 +58,9 @@ pub use state::toast::reading_time;
 pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
-pub use ui::hud::{Instrument, ReadOut, differences, instruments, physics_off, read_outs};
+pub use ui::hud::{
+    Instrument, PathLine, ReadOut, differences, instruments, physics_off, read_outs,
+};
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};
 pub use ui::panel::flight_error;

@@ -14,6 +14,19 @@ pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstanc
         backend: info.backend.to_string(),
         size,
         entry: entry.into(),
+        ..circumstances_of_core()
+    }
+}
+
+/// The circumstances of a report made now on one core of the processor.
+pub(super) fn circumstances_of_core() -> Circumstances {
+    use std::env::consts::{ARCH, OS};
+    Circumstances {
+        adapter: "one core of the processor".into(),
+        driver: format!("{ARCH}, {OS}"),
+        backend: "none".into(),
+        size: "none".into(),
+        entry: "none".into(),
         commit: commit().unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION"))),
         date: date(
             SystemTime::now()

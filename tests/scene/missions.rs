@@ -3,9 +3,9 @@
 use glam::DVec3;
 use lightfall::app::{
     FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, control_named, lamps,
-    path_ahead, solution_time,
+    solution_time,
 };
-use lightfall_core::optics::ship::{Apsides, Heading, Outcome};
+use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::mission::{self, MISSIONS, Quantity};
 
@@ -137,7 +137,8 @@ fn the_path_ahead_begins_at_the_ship_and_passes_its_turning_points() {
     let mut player = Player::begin("two-burns");
     player.until(1.0, |player| player.apsides()[0] <= 8.0);
     let ship = &player.ship.voyage().unwrap().flight.ship;
-    let path = path_ahead(ship);
+    let path = path_ahead(ship, 256);
+    let path: Vec<_> = path.into_iter().map(|point| point.place).collect();
     assert!((path[0] - ship.place().r * ship.place().n).length() < 1e-12);
     let lowest = path
         .iter()

@@ -40,6 +40,8 @@ pub struct State {
     pub falls: bool,
     /// The ship, while the hands fly it.
     pub ship: Option<ShipState>,
+    /// How many points of the ship's path ahead the picture shows.
+    pub path_points: usize,
     /// How fast the observer's time passes when it falls.
     pub pace: f64,
     /// How far the picture of the scene is drawn, e.g. `Averaging(3)` or `Done`.

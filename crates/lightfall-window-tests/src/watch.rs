@@ -8,7 +8,7 @@ use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContext, EguiFullOutput, EguiPostUpdateSet};
-use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu, ShipFlight};
+use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu, PathLine, ShipFlight};
 use lightfall_core::optics::ship::Apsides;
 use lightfall_render::{Comparison, ComparisonMode, DrawnScene, Progress};
 use std::path::PathBuf;
@@ -32,7 +32,8 @@ fn write_state(
     scene: Res<DrawnScene>,
     mut egui: Query<(&mut EguiContext, &EguiFullOutput)>,
     (orders, answers, kept): (Res<Orders>, Res<Answers>, Res<KeptPicture>),
-    (player, fall, ship): (Res<JourneyPlayer>, Res<FreeFall>, Res<ShipFlight>),
+    (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
+    (ship, path): (Res<ShipFlight>, Res<PathLine>),
     (progress, pacing): (Res<Progress>, Res<FramePacing>),
     (menu, comparison, layout): (Res<Menu>, Res<Comparison>, Res<Layout>),
     window: Single<(&Window, &CursorOptions), With<PrimaryWindow>>,
@@ -68,6 +69,7 @@ fn write_state(
         journey: player.is_playing().then(|| player.time()),
         falls: fall.is_moving(),
         ship: ship_state(&ship),
+        path_points: path.drawn(),
         pace: fall.rate(1.0),
         progress: format!("{:?}", *progress),
         resting: pacing.resting,

@@ -21,6 +21,29 @@ pub(crate) enum Side {
     Right,
 }
 
+/// What shows the ship's path ahead.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum PathShown {
+    /// The map, and the line in the picture.
+    #[default]
+    MapAndLine,
+    /// The line in the picture.
+    Line,
+    /// Nothing.
+    Nothing,
+}
+
+impl PathShown {
+    /// What the map's key chooses after this.
+    pub(crate) fn next(self) -> Self {
+        match self {
+            Self::MapAndLine => Self::Line,
+            Self::Line => Self::Nothing,
+            Self::Nothing => Self::MapAndLine,
+        }
+    }
+}
+
 /// What is open over the picture.
 #[derive(Resource, Default)]
 pub(crate) struct Overlays {
@@ -29,8 +52,8 @@ pub(crate) struct Overlays {
     pub(crate) inspector: bool,
     pub(crate) guides: bool,
     pub(crate) star_names: bool,
-    /// Whether the map of the ship's path is hidden.
-    pub(crate) hides_map: bool,
+    /// What shows the ship's path.
+    pub(crate) path: PathShown,
     /// Whether every overlay and the status bar are hidden for now.
     pub(crate) hidden: bool,
     /// The side whose panel is covered, in a window too narrow for both.

@@ -4,7 +4,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
 use crate::app::state::helm::Helm;
-use crate::app::state::overlays::{Overlays, Side};
+use crate::app::state::overlays::{Overlays, PathShown, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::star_names::has_stars;
 use bevy::prelude::*;
@@ -71,8 +71,13 @@ pub(crate) fn apply_overlay_commands(
                 continue;
             }
             AppCommand::Map => {
-                overlays.hides_map = !overlays.hides_map;
-                (!overlays.hides_map, ["Map: shown", "Map: hidden"])
+                overlays.path = overlays.path.next();
+                toast.say(match overlays.path {
+                    PathShown::MapAndLine => "Map: shown",
+                    PathShown::Line => "Map: hidden; the path stays in the picture",
+                    PathShown::Nothing => "Map and path: hidden",
+                });
+                continue;
             }
             _ => continue,
         };

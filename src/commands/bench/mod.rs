@@ -10,7 +10,7 @@ use super::scene::device;
 use super::stop::Stop;
 use methods::bench_methods;
 use pictures::bench_pictures;
-use tables::{bench_delays, bench_light, bench_medium, bench_refinements};
+use tables::{bench_delays, bench_flights, bench_light, bench_medium, bench_refinements};
 
 /// Share of the work after which the time of the rest is estimated.
 const SAMPLE_SHARE: f64 = 0.1;
@@ -18,6 +18,9 @@ const SAMPLE_SHARE: f64 = 0.1;
 /// Measures, and prints and writes the report.
 pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     create_report_folder(&args.report)?;
+    if args.flight {
+        return bench_flights(args);
+    }
     let gpu = device()?;
     let plan = args.plan();
     if plan.is_empty() {

@@ -1,16 +1,17 @@
 //! The measurements of `lightfall bench` that make one table, row by row.
 
 use super::SAMPLE_SHARE;
-use crate::commands::circumstances::{circumstances, circumstances_of};
+use crate::commands::circumstances::{circumstances, circumstances_of, circumstances_of_core};
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use glam::UVec2;
-use lightfall_core::gpu::{Gpu, GpuError};
+use lightfall_core::gpu::Gpu;
 use lightfall_lab::bench::{
-    DelayMeasurement, LightMeasurement, MediumMeasurement, Plan, RefinementMeasurement,
-    delay_table, light_table, medium_table, refinement_table,
+    DelayMeasurement, FlightMeasurement, LightMeasurement, MediumMeasurement, Plan,
+    RefinementMeasurement, delay_table, flight_rows, flight_table, light_table, medium_table,
+    refinement_table, run_flights,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -77,14 +78,26 @@ pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Res
     })
 }
 
+/// `lightfall bench --flight`: the error of a ship's flight against the run time.
+pub(super) fn bench_flights(args: &BenchArgs) -> Result<(), Stop> {
+    let kept = KeptRows::open(&args.report, "flight", circumstances_of_core());
+    let task = |row: &FlightMeasurement| {
+        let [spin, r, tolerance] = [row.spin, row.r, row.tolerance];
+        format!("spin {spin}, r {r}, tolerance {tolerance:.0e}")
+    };
+    bench_rows(kept, flight_rows(), task, flight_table, |known, done| {
+        run_flights(known, done)
+    })
+}
+
 /// Measures so many rows, except those that are known, and prints and writes their report. `task`
 /// says what a row is, and `measure` gets the known rows and what is to be called with each new one.
-fn bench_rows<T: Clone + Serialize + DeserializeOwned>(
+fn bench_rows<T: Clone + Serialize + DeserializeOwned, Fault: std::error::Error>(
     mut kept: KeptRows<T>,
     count: usize,
     task: impl Fn(&T) -> String,
     table: fn(&[T]) -> String,
-    measure: impl FnOnce(&[T], &mut dyn FnMut(&T)) -> Result<Vec<T>, GpuError>,
+    measure: impl FnOnce(&[T], &mut dyn FnMut(&T)) -> Result<Vec<T>, Fault>,
 ) -> Result<(), Stop> {
     let known = kept.rows();
     let left = count.saturating_sub(known.len()) as f64;

@@ -70,6 +70,11 @@ pub struct BenchArgs {
     /// least step. --out then writes refine.csv, refine.json and refine.md
     #[arg(long, conflicts_with_all = ["frames", "delay", "light", "medium", "pictures", "entry", "size"])]
     pub refine: bool,
+    /// Measure the flight of a ship instead, on one core and without a graphics adapter: its errors
+    /// after ten turns against the run time, for three tolerances of a step. --out then writes
+    /// flight.csv, flight.json and flight.md
+    #[arg(long, conflicts_with_all = ["frames", "delay", "light", "medium", "pictures", "refine", "entry", "size", "scenes", "methods", "rays", "quick"])]
+    pub flight: bool,
     /// Where the report goes.
     #[command(flatten)]
     pub report: ReportArgs,

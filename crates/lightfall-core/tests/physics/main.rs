@@ -50,6 +50,8 @@ mod ship_gyroscopes;
 mod ship_missions;
 mod ship_orbits;
 mod ship_scenes;
+mod ship_seen_path;
+mod ship_stars;
 mod ship_values;
 mod sky_texel;
 mod spectrum;

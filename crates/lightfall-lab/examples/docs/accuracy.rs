@@ -4,8 +4,8 @@ use crate::bench::Bench;
 use crate::measured::measured;
 use crate::render::{count, ratio, short, table as markdown};
 use lightfall_lab::bench::{
-    DelayMeasurement, LightMeasurement, MediumMeasurement, PictureMeasurement,
-    RefinementMeasurement, light_table, medium_table, pictures_table, ratio_range,
+    DelayMeasurement, FlightMeasurement, LightMeasurement, MediumMeasurement, PictureMeasurement,
+    RefinementMeasurement, flight_table, light_table, medium_table, pictures_table, ratio_range,
 };
 
 /// The scenes whose delays and whose light are shown.
@@ -127,6 +127,12 @@ pub fn light() -> Result<String, String> {
 pub fn medium() -> Result<String, String> {
     let rows = measured::<MediumMeasurement>("h200/medium")?.rows;
     Ok(medium_table(&rows))
+}
+
+/// The flight of a ship.
+pub fn flight() -> Result<String, String> {
+    let rows = measured::<FlightMeasurement>("processor/flight")?.rows;
+    Ok(flight_table(&rows))
 }
 
 pub fn pictures() -> Result<String, String> {

@@ -36,6 +36,7 @@ fn table(name: &str) -> Result<String, String> {
         "light" => accuracy::light(),
         "medium" => accuracy::medium(),
         "pictures" => accuracy::pictures(),
+        "flight" => accuracy::flight(),
         "totals" => extremes::totals(),
         "matrix" => extremes::matrix(),
         "hits" => extremes::hits(),

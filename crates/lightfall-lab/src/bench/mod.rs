@@ -2,6 +2,7 @@
 
 mod delay;
 mod equal_error;
+mod flight;
 mod labels;
 mod light;
 mod markdown;
@@ -18,6 +19,7 @@ mod studies;
 
 pub use delay::{DelayMeasurement, delay_table};
 pub use equal_error::{AtEqualError, at_equal_error};
+pub use flight::{FlightFault, FlightMeasurement, flight_rows, flight_table, run_flights};
 pub use light::{LightMeasurement, light_table};
 pub use markdown::{markdown, ratio_range};
 pub use measurement::Measurement;

@@ -14,7 +14,7 @@ use glam::DVec3;
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
-use sky::Sky;
+pub(crate) use sky::Sky;
 
 /// What a guide marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -11,15 +11,15 @@ use lightfall_model::geometry::tetrad::transformation;
 use lightfall_model::scene::Scene;
 
 /// The sky of a camera, and the observer in whose frame curves are found.
-pub(super) struct Sky {
+pub(crate) struct Sky {
     /// The camera's radius, in r_s.
-    pub(super) r: f64,
+    pub(crate) r: f64,
     /// The unit vector from the hole to the camera.
-    pub(super) n: DVec3,
+    pub(crate) n: DVec3,
     /// The matrix of the observer in whose frame curves are found.
-    pub(super) frame: ObserverMatrix,
+    pub(crate) frame: ObserverMatrix,
     /// That observer's axes (outward, theta, phi), as columns.
-    pub(super) axes: DMat3,
+    pub(crate) axes: DMat3,
     /// From (1, d) of that observer to (frequency, frequency times d) of the camera.
     to_camera: DMat4,
 }
@@ -74,9 +74,16 @@ impl Sky {
     /// The sky without bending, where Boyer-Lindquist r, theta, phi are spherical coordinates of
     /// flat space. Curves are found in the frame of the zero-angular-momentum observer.
     pub(super) fn flat(scene: &Scene) -> Result<Self, ObserverError> {
-        let [theta, phi] = scene.camera.polar_angles();
         let mut scene = scene.clone();
         scene.effects.lensing = false;
+        Self::of_zamo(&scene)
+    }
+
+    /// The sky of a camera outside the horizon, with light bent as the scene says, in the hole's
+    /// frame. Curves are found in the frame of the zero-angular-momentum observer.
+    pub(crate) fn of_zamo(scene: &Scene) -> Result<Self, ObserverError> {
+        let [theta, phi] = scene.camera.polar_angles();
+        let mut scene = scene.clone();
         let camera = CameraRays::new(&scene)?.matrix;
         scene.effects.aberration = false;
         let frame = CameraRays::new(&scene)?.matrix;
@@ -97,7 +104,7 @@ impl Sky {
 
     /// A direction of the frame on the camera's axes. `None` where rounding leaves none, at the
     /// horizon.
-    pub(super) fn seen(&self, direction: DVec3) -> Option<DVec3> {
+    pub(crate) fn seen(&self, direction: DVec3) -> Option<DVec3> {
         let [x, y, z] = direction.to_array();
         let [frequency, rest @ ..] = (self.to_camera * DVec4::new(1.0, x, y, z)).to_array();
         (DVec3::from_array(rest) / frequency).try_normalize()

@@ -8,8 +8,12 @@ use lightfall_model::geometry::timelike::Limit;
 const HALVINGS: u32 = 100;
 
 /// An orbit whose turning points differ by less, as a share of the radius, counts as a circle: there
-/// rounding decides where the next one is.
-const CIRCLE: f64 = 1e-9;
+/// rounding decides where the next one is. At the innermost stable orbit, a root of third degree, rounding
+/// makes it the cubic root of 1e-16.
+const CIRCLE: f64 = 1e-4;
+
+/// The same for a round orbit, on which turning points do not show.
+const ROUND: f64 = 0.01;
 
 /// The turning points of a free motion, in r_s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +57,20 @@ impl Apsides {
         Self {
             periapsis: nearest_end(&shifted, 1.0 / kerr.horizon() - u).map(radius),
             apoapsis: nearest_end(&shifted, -u).map(radius),
+        }
+    }
+
+    /// Whether the orbit is so round that turning points are not worth a mark: they differ by less than
+    /// a hundredth of the radius.
+    pub fn are_round(&self) -> bool {
+        self.differ_by_less_than(ROUND)
+    }
+
+    /// Whether there are two that differ by less than this share of the radius.
+    fn differ_by_less_than(&self, share: f64) -> bool {
+        match (self.periapsis, self.apoapsis) {
+            (Some(low), Some(high)) => high - low < share * high,
+            _ => false,
         }
     }
 }
@@ -111,14 +129,9 @@ fn extrema(c: &[f64], end: f64) -> Vec<f64> {
 }
 
 /// The proper time until a ship that coasts reaches its next turning point, in r_s/c. `None` if it
-/// reaches a limit of its flight before, or moves on a circle.
+/// reaches a limit of its flight before, moves on a circle, or goes round more than ten times before.
 pub fn time_to_apsis(ship: &Ship) -> Option<f64> {
-    if let Apsides {
-        periapsis: Some(low),
-        apoapsis: Some(high),
-    } = Apsides::of(ship)
-        && high - low < CIRCLE * high
-    {
+    if Apsides::of(ship).differ_by_less_than(CIRCLE) {
         return None;
     }
     let mut geodesic = ship.geodesic();

@@ -1,5 +1,6 @@
 //! Where a ship is headed: directions on its own axes, and turns toward them.
 
+use super::star::seen_star;
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4Swizzles};
 use lightfall_model::geometry::kerr::MASS;
 use lightfall_model::geometry::ship::{Place, Ship, boost, components, rain_axes};
@@ -16,6 +17,9 @@ pub enum Heading {
     Hole,
     /// Away from the hole: where the principal null ray that falls in, home's light, arrives from.
     Outward,
+    /// Toward a star in this unit direction of the hole's frame, where its light arrives now: its primary
+    /// image in bent light, with the aberration of the ship's motion.
+    Star(DVec3),
     /// A direction on the axes of the scene's observer: outward, toward growing theta, toward growing
     /// phi, those of `rain` boosted to the ship without rotation. Off the axis only, since there phi
     /// has no direction.
@@ -24,7 +28,7 @@ pub enum Heading {
 
 impl Heading {
     /// The unit direction on the ship's axes. `None` where there is none: prograde of a ship that
-    /// stands still, phi on the axis.
+    /// stands still, phi on the axis, a star whose image is not found.
     pub fn direction(self, ship: &Ship) -> Option<DVec3> {
         let place = ship.place();
         match self {
@@ -32,6 +36,7 @@ impl Heading {
             Self::Retrograde => prograde(ship, &place).map(|direction| -direction),
             Self::Hole => seen_from(ship, outgoing_ray(&place)),
             Self::Outward => seen_from(ship, DVec4::from((1.0, -place.n))),
+            Self::Star(star) => seen_star(ship, star),
             Self::Observer(direction) => {
                 place.azimuth()?;
                 let rain = rain_axes(&place, 0.0);

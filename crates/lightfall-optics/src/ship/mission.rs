@@ -8,7 +8,8 @@ use super::rocket::{Rocket, RocketError};
 use crate::readout::si::HoleMass;
 use glam::DVec3;
 use lightfall_model::geometry::ship::ShipError;
-use lightfall_model::scene::mission::{Course, Goal, Mission};
+use lightfall_model::geometry::sphere::celestial_frame;
+use lightfall_model::scene::mission::{Course, Face, Goal, Mission, Start};
 use thiserror::Error;
 
 /// Why an attempt cannot begin.
@@ -23,6 +24,9 @@ pub enum StartError {
     /// Where the nose is to point has no direction.
     #[error("the ship stands still at the start, so it cannot face {0}")]
     Face(&'static str),
+    /// The star that the nose is to point to is hidden.
+    #[error("the star of start.star_deg is not seen at the start: it is behind the hole")]
+    Star,
 }
 
 /// How an attempt stands.
@@ -65,6 +69,23 @@ impl From<Course> for Heading {
     }
 }
 
+impl Heading {
+    /// Where the nose points at the start of a mission.
+    pub fn at_start(start: &Start) -> Self {
+        match start.face {
+            Face::Hole => Self::Hole,
+            Face::Outward => Self::Outward,
+            Face::Prograde => Self::Prograde,
+            Face::Retrograde => Self::Retrograde,
+            Face::Star => {
+                let [theta, phi] = start.star_place_deg().map(f64::to_radians);
+                let [star, ..] = celestial_frame(theta, phi);
+                Self::Star(star)
+            }
+        }
+    }
+}
+
 impl Attempt {
     /// Begins an attempt.
     ///
@@ -72,9 +93,12 @@ impl Attempt {
     /// The mission's start does not exist.
     pub fn new(mission: &Mission) -> Result<Self, StartError> {
         let mut ship = board(mission.scene(), &Mount::NOSE)?;
-        let face = mission.start.face;
-        let direction = Heading::from(face).direction(&ship);
-        let direction = direction.ok_or(StartError::Face(face.word()))?;
+        let start = &mission.start;
+        let direction = Heading::at_start(start).direction(&ship);
+        let direction = direction.ok_or(match start.face {
+            Face::Star => StartError::Star,
+            face => StartError::Face(face.word()),
+        })?;
         ship.turn(turn_to(DVec3::X, direction));
         let ship_of_mission = &mission.ship;
         let rocket = Rocket::new(

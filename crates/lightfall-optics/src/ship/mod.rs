@@ -4,6 +4,7 @@
 //! Everything but [`Flight`] is a pure function of the ship. Units are r_s and c, and directions are
 //! on the ship's own axes.
 
+mod aim;
 mod apsides;
 mod clocks;
 mod flight;
@@ -11,11 +12,14 @@ mod heading;
 mod holds;
 mod life;
 mod mission;
+mod path;
 mod pose;
 mod quantities;
 mod records;
 mod rocket;
+mod seen_path;
 mod solution;
+mod star;
 
 pub use apsides::{Apsides, time_to_apsis};
 pub use clocks::{Clocks, HOME_RADIUS, disk_clock};
@@ -24,8 +28,11 @@ pub use heading::{Heading, motion_rate, speed_for_zamo, turn_to};
 pub use holds::{Hold, HoldRefusal, circular_velocity};
 pub use life::{longest_life, radial_life};
 pub use mission::{Attempt, Outcome, StartError};
+pub use path::{Apsis, PathPoint, path_ahead};
 pub use pose::{BoardError, Mount, board, write_scene};
 pub use quantities::Voyage;
 pub use records::{Records, tide_of};
 pub use rocket::{Rocket, RocketError};
+pub use seen_path::{SeenPath, seen_path, seen_wire};
 pub use solution::{SolutionError, fly};
+pub use star::star_ahead;

@@ -344,3 +344,46 @@ fn own_missions_begin_from_the_command_line_the_list_and_a_dropped_file() {
     assert_eq!(ship(&desktop.state()).mission[0], "dropped");
     desktop.end_without_error();
 }
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_path_ahead_is_a_line_in_the_picture_until_the_controls_are_left() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    assert_eq!(desktop.state().path_points, 0);
+    desktop.order(&Order::Step(STEP));
+    desktop.press("shift+f");
+    desktop.wait_for("the ship", |state| state.ship.is_some());
+    // In an orbit the path leads around the hole, which is seen from prograde.
+    desktop.press("k");
+    desktop.press("y");
+    desktop.press("y");
+    let has_path = |state: &State| state.path_points > 10;
+    desktop.wait_for("the path", has_path);
+    // It stays while light goes straight, and during thrust.
+    desktop.press("l");
+    desktop.wait_for("no bending", |state| {
+        state.scene["effects.lensing"] == false
+    });
+    desktop.wait_for("the straight path", has_path);
+    desktop.press("l");
+    desktop.hold("w");
+    wait_for(&desktop, "thrust", |ship| ship.acceleration > 0.0);
+    desktop.wait_for("the path of thrust", has_path);
+    desktop.let_go("w");
+    // The map's key hides the map, then the line, then shows both.
+    desktop.press("shift+m");
+    desktop.press("shift+m");
+    desktop.wait_for("no path", |state| state.path_points == 0);
+    desktop.press("shift+m");
+    desktop.wait_for("the path again", has_path);
+    desktop.press("h");
+    desktop.wait_for("no path in the photo mode", |state| state.path_points == 0);
+    desktop.press("h");
+    desktop.wait_for("the path after it", has_path);
+    desktop.press("shift+f");
+    desktop.wait_for("no ship and no path", |state| {
+        state.ship.is_none() && state.path_points == 0
+    });
+    desktop.end_without_error();
+}

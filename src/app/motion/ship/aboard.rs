@@ -48,11 +48,11 @@ pub(super) fn first_nose(mission: &Mission) -> Nose {
     let counts_turns = goals
         .chain(fails)
         .any(|condition| condition.quantity == Quantity::RotationUsedDeg);
-    let face = mission.start.face.into();
+    let following = Nose::following(&mission.start);
     if counts_turns {
-        Nose::on(face)
+        following.released()
     } else {
-        Nose::following(face)
+        following
     }
 }
 

@@ -2,15 +2,13 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::geometry::ship::Ship;
-use lightfall_core::optics::ship::Heading;
+use lightfall_core::optics::ship::{Heading, star_ahead};
+use lightfall_core::scene::mission::Start;
 
-/// The headings of the key, in its order. After the last one the gyroscopes hold the nose.
-pub const HEADINGS: [Heading; 4] = [
-    Heading::Hole,
-    Heading::Prograde,
-    Heading::Retrograde,
-    Heading::Outward,
-];
+/// Number of headings of the key. After the last one the gyroscopes hold the nose.
+const HEADINGS: usize = 5;
+/// Which of them is the star's.
+const STAR: usize = HEADINGS - 1;
 
 /// Least speed of a turn to a heading, in radians per second.
 const LEAST_TURN: f64 = 1.5;
@@ -22,8 +20,10 @@ const ALIGNED: f64 = 1e-3;
 /// What the nose follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nose {
-    /// The last heading, as a place in [`HEADINGS`].
+    /// The last heading, by its number.
     last: usize,
+    /// The star of the last one of them, if one was chosen.
+    star: Option<DVec3>,
     state: State,
 }
 
@@ -38,39 +38,65 @@ enum State {
 }
 
 impl Nose {
-    /// A nose that the gyroscopes hold, and that was last on this heading.
-    #[must_use]
-    pub fn on(heading: Heading) -> Self {
-        let last = HEADINGS.iter().position(|known| *known == heading);
-        Self {
-            last: last.unwrap_or(0),
-            state: State::Free,
-        }
-    }
+    /// A nose that the gyroscopes hold, and that is to turn to the hole first.
+    pub const FREE: Self = Self {
+        last: 0,
+        star: None,
+        state: State::Free,
+    };
 
-    /// A nose that the autopilot keeps on this heading.
+    /// A nose that the autopilot keeps where it points at the start of a mission.
     #[must_use]
-    pub fn following(heading: Heading) -> Self {
+    pub fn following(start: &Start) -> Self {
+        let heading = Heading::at_start(start);
+        let star = match heading {
+            Heading::Star(star) => Some(star),
+            _ => None,
+        };
+        let all = |number: usize| heading_of(number, star);
         Self {
+            last: (0..HEADINGS)
+                .find(|number| all(*number) == Some(heading))
+                .unwrap_or(0),
+            star,
             state: State::Follows,
-            ..Self::on(heading)
         }
     }
 
-    /// Begins to turn to the last heading or, if the nose follows it, to the next one. `None` if the
-    /// gyroscopes hold the nose from now on.
-    pub fn step(&mut self) -> Option<Heading> {
-        if self.state == State::Free {
+    /// The same nose, held by the gyroscopes.
+    #[must_use]
+    pub fn released(self) -> Self {
+        Self {
+            state: State::Free,
+            ..self
+        }
+    }
+
+    /// Begins to turn to the last heading or, if the nose follows it, to the next one. The star is the one
+    /// that the nose points to now; without one it is the last one. `None` if the gyroscopes hold the nose
+    /// from now on.
+    pub fn step(&mut self, ship: &Ship) -> Option<Heading> {
+        if self.state != State::Free {
+            self.last = (self.last + 1) % HEADINGS;
+            if self.last == 0 {
+                self.state = State::Free;
+                return None;
+            }
+        }
+        if self.last == STAR {
+            self.star = star_ahead(ship).or(self.star);
+        }
+        let heading = self.last_heading();
+        if heading.is_some() {
             self.state = State::Turns;
-            return Some(HEADINGS[self.last]);
+        } else {
+            *self = Self::FREE;
         }
-        self.last = (self.last + 1) % HEADINGS.len();
-        if self.last == 0 {
-            self.state = State::Free;
-            return None;
-        }
-        self.state = State::Turns;
-        Some(HEADINGS[self.last])
+        heading
+    }
+
+    fn last_heading(&self) -> Option<Heading> {
+        heading_of(self.last, self.star)
     }
 
     /// Leaves the nose to the gyroscopes.
@@ -81,13 +107,13 @@ impl Nose {
     /// The heading that the nose turns to or follows.
     #[must_use]
     pub fn heading(&self) -> Option<Heading> {
-        (self.state != State::Free).then_some(HEADINGS[self.last])
+        self.last_heading().filter(|_| self.state != State::Free)
     }
 
     /// The heading on which the autopilot keeps the nose.
     #[must_use]
     pub fn followed(&self) -> Option<Heading> {
-        (self.state == State::Follows).then_some(HEADINGS[self.last])
+        self.last_heading().filter(|_| self.state == State::Follows)
     }
 
     /// The turn to the heading for so many seconds, about an axis on the ship's axes, by its length in
@@ -96,7 +122,8 @@ impl Nose {
         if self.state != State::Turns {
             return DVec3::ZERO;
         }
-        let Some(direction) = HEADINGS[self.last].direction(ship) else {
+        let heading = self.last_heading();
+        let Some(direction) = heading.and_then(|heading| heading.direction(ship)) else {
             self.state = State::Follows;
             return DVec3::ZERO;
         };
@@ -111,6 +138,17 @@ impl Nose {
             self.state = State::Follows;
         }
         whole.normalize_or_zero() * step
+    }
+}
+
+/// The heading of a number. `None` for the star's if there is none.
+fn heading_of(number: usize, star: Option<DVec3>) -> Option<Heading> {
+    match number {
+        0 => Some(Heading::Hole),
+        1 => Some(Heading::Prograde),
+        2 => Some(Heading::Retrograde),
+        3 => Some(Heading::Outward),
+        _ => star.map(Heading::Star),
     }
 }
 

@@ -13,8 +13,6 @@ pub(super) const SLOWEST: f64 = 1.0 / 1024.0;
 /// A full tank lasts at least so many seconds at full thrust by hand, so that a press of a key can be
 /// short enough.
 const TANK_SECONDS: f64 = 30.0;
-/// Orbits that are rounder, as a share of the radius, have no turning points to stop at.
-const ROUND: f64 = 0.01;
 /// Faster time ends where the ship comes down to so many radii of the horizon.
 const NEAR_HORIZON: f64 = 1.2;
 /// Faster time does not end nearer to its beginning than this share of r^(3/2).
@@ -80,7 +78,7 @@ pub(super) fn first_stop(voyage: &Voyage, time: f64, radii: &[f64]) -> Option<(f
     let place = ship.place();
     let least = LEAST_TIME * place.r.powf(1.5);
     let coasts = voyage.flight.acceleration().length() == 0.0;
-    let apsis = (coasts && !is_round(voyage))
+    let apsis = (coasts && !Apsides::of(ship).are_round())
         .then(|| time_to_apsis(ship))
         .flatten()
         .map(|after| {
@@ -96,16 +94,6 @@ pub(super) fn first_stop(voyage: &Voyage, time: f64, radii: &[f64]) -> Option<(f
         .chain(apsis)
         .filter(|(after, _)| (least..=time).contains(after))
         .min_by(|a, b| a.0.total_cmp(&b.0))
-}
-
-fn is_round(voyage: &Voyage) -> bool {
-    match Apsides::of(&voyage.flight.ship) {
-        Apsides {
-            periapsis: Some(low),
-            apoapsis: Some(high),
-        } => high - low < ROUND * high,
-        _ => false,
-    }
 }
 
 /// When the voyage passes a radius within `time`.

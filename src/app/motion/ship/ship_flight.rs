@@ -49,11 +49,7 @@ impl ShipFlight {
         let rocket = Rocket::new(rapidity, acceleration, exhaust)
             .expect("the constants are those of a rocket");
         let voyage = Voyage::new(Flight::new(ship, rocket), mass, &scene.disk);
-        self.begin(
-            Flown::Free(Box::new(voyage)),
-            scene,
-            Nose::on(Heading::Hole),
-        );
+        self.begin(Flown::Free(Box::new(voyage)), scene, Nose::FREE);
         Ok(())
     }
 
@@ -176,7 +172,8 @@ impl ShipFlight {
 
     /// Turns the nose to the next heading. `None` if the gyroscopes hold it from now on.
     pub fn face_next(&mut self) -> Option<Heading> {
-        self.aboard.as_mut()?.nose.step()
+        let aboard = self.aboard.as_mut()?;
+        aboard.nose.step(aboard.flown.ship())
     }
 
     /// Switches the engine off, and ends what holds and turns the ship.

@@ -18,6 +18,7 @@ pub(crate) fn heading_words(heading: Heading) -> &'static str {
         Heading::Retrograde => "retrograde",
         Heading::Hole => "the hole",
         Heading::Outward => "outward",
+        Heading::Star(_) => "a star",
         Heading::Observer(_) => "a direction",
     }
 }
@@ -25,6 +26,7 @@ pub(crate) fn heading_words(heading: Heading) -> &'static str {
 /// What the key that turns the nose says.
 pub(super) fn facing(heading: Option<Heading>, ship: &Ship) -> String {
     match heading {
+        Some(Heading::Star(_)) => "Nose: to the star ahead".into(),
         Some(heading) if heading.direction(ship).is_none() => format!(
             "Nose: {}, but the ship stands still",
             heading_words(heading)

@@ -54,7 +54,7 @@ pub(crate) fn plugin(app: &mut App) {
 
 /// A scene with only the fields that decide where guides are on the observer's sky. Without a tilted
 /// disk, everything is the same at every azimuth.
-fn sky_of(scene: &Scene) -> Scene {
+pub(in crate::app::ui) fn sky_of(scene: &Scene) -> Scene {
     let mut sky = Scene {
         hole: scene.hole,
         observer: scene.observer,

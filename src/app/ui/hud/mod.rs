@@ -21,14 +21,14 @@ mod toast;
 pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
-pub use ship::{Instrument, instruments};
+pub use ship::{Instrument, PathLine, instruments};
 
 use crate::app::ui::layout::Importance;
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_plugins((presence::plugin, key_hints::plugin))
+    app.add_plugins((presence::plugin, key_hints::plugin, ship::path_plugin))
         .add_systems(
             EguiPrimaryContextPass,
             (
@@ -46,7 +46,9 @@ pub(crate) fn plugin(app: &mut App) {
                 )
                     .chain()
                     .in_set(Importance::ReadOuts),
-                ship::show_markers.in_set(Importance::Guides),
+                (ship::show_markers, ship::show_path)
+                    .chain()
+                    .in_set(Importance::Guides),
                 title::show_title.in_set(Importance::Title),
                 key_hints::show_key_hints.in_set(Importance::KeyHints),
             ),

@@ -10,6 +10,10 @@ use glam::DVec3;
 /// infinity, so no flight needs as many.
 const MAX_STEPS: u32 = 100_000;
 
+/// Maximum number of steps to a turning point. Ten turns are more than any orbit takes but those next to
+/// the innermost stable one and to unstable ones, which would take thousands.
+const MAX_STEPS_TO_APSIS: u32 = 64;
+
 /// A freely falling particle of unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geodesic {
@@ -126,9 +130,9 @@ impl Geodesic {
 
     /// Advances the particle to its next turning point, where u' changes its sign. If it reaches one
     /// of the radii `[inner, outer]` (r_s) earlier, it stays near there. A turning point at the start
-    /// does not count.
+    /// does not count, and one more than about ten turns away counts as lost.
     pub fn advance_to_apsis(&mut self, [inner, outer]: [f64; 2]) -> Option<Limit> {
-        for _ in 0..MAX_STEPS {
+        for _ in 0..MAX_STEPS_TO_APSIS {
             let ParticleState { u, du, .. } = self.state;
             if u >= 1.0 / inner && du >= 0.0 {
                 return Some(Limit::Inner);

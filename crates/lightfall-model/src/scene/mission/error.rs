@@ -43,6 +43,9 @@ pub enum Fault {
         given: String,
         allowed: &'static str,
     },
+    /// A star without a nose that faces it.
+    #[error("start.star_deg is refused: it belongs to face = \"star\", and face is {face:?}")]
+    Star { face: &'static str },
     /// A table that needs conditions has none.
     #[error("{table} {number} has no condition; it needs all = [\"r <= 1.6\"], for example")]
     NoCondition { table: &'static str, number: usize },

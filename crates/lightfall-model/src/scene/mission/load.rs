@@ -2,7 +2,7 @@
 
 use super::error::{Fault, MissionError};
 use super::text::{BurnText, HoleOfMission, Start, Text};
-use super::{Burn, Mission, Push, Until};
+use super::{Burn, Face, Mission, Push, Until};
 use crate::scene::Override;
 use crate::scene::error::{SceneError, SceneFault};
 use crate::scene::from_toml::{syntax, table};
@@ -201,6 +201,17 @@ fn check_numbers(written: &Text) -> Result<(), Fault> {
         is_exhaust,
         "above 0 and at most 1",
     )?;
+    if let Some([theta, phi]) = written.start.star_deg {
+        let is_polar = (0.0..=180.0).contains(&theta);
+        let allowed = "from 0 to 180 degrees";
+        check("start.star_deg: theta".into(), theta, is_polar, allowed)?;
+        check("start.star_deg: phi".into(), phi, true, "a finite number")?;
+        if written.start.face != Face::Star {
+            return Err(Fault::Star {
+                face: written.start.face.word(),
+            });
+        }
+    }
     let suns = written.hole.mass_suns;
     check("hole.mass_suns".into(), suns, suns > 0.0, POSITIVE)?;
     for (index, goal) in written.goal.iter().enumerate() {

@@ -76,7 +76,18 @@ pub struct Start {
     #[serde(default)]
     pub velocity: [f64; 3],
     /// Where the nose points.
-    pub face: Course,
+    pub face: Face,
+    /// The place of the star that the nose faces, as theta and phi of the sky in degrees; without it, the
+    /// star that lies straight outward from the hole at the start.
+    #[serde(default)]
+    pub star_deg: Option<[f64; 2]>,
+}
+
+impl Start {
+    /// Theta and phi of the star that the nose faces, on the sky in the hole's frame, in degrees.
+    pub fn star_place_deg(&self) -> [f64; 2] {
+        self.star_deg.unwrap_or([self.theta_deg, self.phi_deg])
+    }
 }
 
 fn equator() -> f64 {
@@ -84,7 +95,23 @@ fn equator() -> f64 {
 }
 
 crate::words! {
-    /// A direction that a ship can face or push toward.
+    /// What a ship's nose can face.
+    pub enum Face {
+        /// The hole.
+        Hole = "hole",
+        /// The motion's direction.
+        Prograde = "prograde",
+        /// The opposite one.
+        Retrograde = "retrograde",
+        /// Away from the hole.
+        Outward = "outward",
+        /// A star.
+        Star = "star",
+    }
+}
+
+crate::words! {
+    /// A direction that a ship can push toward.
     pub enum Course {
         /// Toward the hole.
         Hole = "hole",

@@ -188,7 +188,11 @@ pub fn map(session: &mut Session, key: &str) {
     session.press("shift+f");
     session.wait_for("the map", has_map);
     session.press(key);
-    session.wait_for(key, |state| !has_map(state));
+    session.wait_for(key, |state| {
+        !has_map(state) && state.shows("Map: hidden; the path stays in the picture")
+    });
+    session.press(key);
+    session.wait_for(key, |state| state.shows("Map and path: hidden"));
     session.press(key);
     session.wait_for(key, has_map);
     session.press("shift+f");

@@ -1,7 +1,7 @@
 //! The map: the path ahead from above and from the side, with the radii that matter.
 
-use crate::app::motion::ship::{ShipFlight, path_ahead};
-use crate::app::state::overlays::Overlays;
+use crate::app::motion::ship::ShipFlight;
+use crate::app::state::overlays::{Overlays, PathShown};
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::hud::board::{BRIGHT, QUIET};
 use crate::app::ui::layout::Slide;
@@ -16,6 +16,7 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::three_digits;
 use lightfall_core::optics::readout::units::Units;
+use lightfall_core::optics::ship::path_ahead;
 use std::f64::consts::TAU;
 use std::time::Duration;
 
@@ -32,6 +33,8 @@ const PADDING: f32 = 8.0;
 const ROOM: f64 = 1.12;
 /// How long a path is drawn before it is computed again, which takes half a millisecond.
 const PATH_AGE: Duration = Duration::from_millis(100);
+/// Number of points of the path: two turns.
+const PATH_POINTS: usize = 256;
 /// Number of sides of a circle.
 const SIDES: usize = 72;
 
@@ -85,7 +88,10 @@ pub(in crate::app::ui::hud) fn show_map(
     time: Res<Time<Real>>,
     mut known: Local<Option<(Duration, Vec<DVec3>)>>,
 ) {
-    let Some(voyage) = ship.voyage().filter(|_| !overlays.hides_map) else {
+    let Some(voyage) = ship
+        .voyage()
+        .filter(|_| overlays.path == PathShown::MapAndLine)
+    else {
         return;
     };
     let Some((context, layout)) = screen.texts() else {
@@ -105,7 +111,8 @@ pub(in crate::app::ui::hud) fn show_map(
         .as_ref()
         .is_none_or(|(since, _)| now.saturating_sub(*since) > PATH_AGE)
     {
-        *known = Some((now, path_ahead(ship)));
+        let path = path_ahead(ship, PATH_POINTS).into_iter();
+        *known = Some((now, path.map(|point| point.place).collect()));
     }
     let Some((_, path)) = &*known else {
         return;

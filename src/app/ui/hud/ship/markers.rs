@@ -94,7 +94,8 @@ fn draw_mark(painter: &Painter, at: Pos2, along: bool) {
     }
 }
 
-fn draw_name(
+/// Draws the name of a mark beside it, if there is room.
+pub(super) fn draw_name(
     (painter, layout): (&Painter, &mut Layout),
     name: &'static str,
     at: Pos2,

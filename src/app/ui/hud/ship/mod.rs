@@ -1,10 +1,11 @@
-//! What the ship's pilot sees: instruments, and marks of where the ship moves to.
+//! What the ship's pilot sees: instruments, marks of where the ship moves to, and the path ahead.
 
 mod dial;
 mod instruments;
 mod map;
 mod markers;
 mod mission;
+mod path_line;
 mod question;
 mod values;
 
@@ -12,5 +13,7 @@ pub(super) use instruments::show_instruments;
 pub(super) use map::show_map;
 pub(super) use markers::show_markers;
 pub(super) use mission::show_mission;
+pub use path_line::PathLine;
+pub(super) use path_line::{path_plugin, show_path};
 pub(super) use question::show_question;
 pub use values::{Instrument, instruments};
