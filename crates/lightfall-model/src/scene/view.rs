@@ -261,9 +261,10 @@ impl View {
         matches!(self.properties().content, Content::Light)
     }
 
-    /// Whether the view needs to know how bright sources are.
+    /// Whether the view needs to know how bright sources are. The number of samples does, because a ray
+    /// ends where the light in front outshines what may come from behind.
     pub const fn needs_light(self) -> bool {
-        self.shows_light() || matches!(self, Self::LightError)
+        self.shows_light() || matches!(self, Self::LightError | Self::Samples)
     }
 
     /// Whether the view shows what matter with depth does to rays.
