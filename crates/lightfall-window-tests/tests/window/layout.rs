@@ -204,8 +204,8 @@ fn the_instruments_the_map_and_the_captions_of_a_mission_cover_nothing() {
         state.mentions("Your nose points backward")
     });
     check("caption", &["caption", "instruments", "map", "mission"]);
-    // From retrograde to outward, to the gyroscopes, and to the hole.
-    press_all(&desktop, &["y"; 3]);
+    // From retrograde to outward, to a star, to the gyroscopes, and to the hole.
+    press_all(&desktop, &["y"; 4]);
     desktop.later(20);
     check(
         "hole",
