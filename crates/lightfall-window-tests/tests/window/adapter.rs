@@ -84,6 +84,9 @@ fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
         desktop.stderr()
     );
     assert!(!trial(&desktop).exists());
-    let kept = Settings::load(&desktop.settings());
-    assert_eq!((kept.0.adapter, kept.1), (None, None));
+    // Settings are written some moments after they change.
+    desktop.wait("the settings name none", || {
+        let kept = Settings::load(&desktop.settings());
+        (kept.0.adapter, kept.1) == (None, None)
+    });
 }
