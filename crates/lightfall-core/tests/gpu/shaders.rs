@@ -202,9 +202,10 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         let through_matter = thick || jets;
         let light = match variant.view {
             View::Colour | View::Unfinished => true,
-            View::LightError => through_matter,
+            // A ray takes samples until the light in front outshines what may be behind.
+            View::LightError | View::Samples => through_matter,
             // The disk's light comes with the crossing that dims what is behind it.
-            View::Depth | View::Samples => sheet,
+            View::Depth => sheet,
             _ => false,
         };
         let stars = matches!(
