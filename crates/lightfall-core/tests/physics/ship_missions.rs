@@ -218,6 +218,21 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
             ["name = \"Graze!\"", "small letters"],
         ),
         (
+            "face = \"hole\"",
+            "face = \"hole\", star_deg = [30.0, 0.0]",
+            ["start.star_deg is refused", "face is \"hole\""],
+        ),
+        (
+            "face = \"hole\"",
+            "face = \"star\", star_deg = [180.5, 0.0]",
+            ["start.star_deg: theta = 180.5", "from 0 to 180 degrees"],
+        ),
+        (
+            "face = \"hole\"",
+            "face = \"star\", star_deg = [30.0, inf]",
+            ["start.star_deg: phi = inf", "a finite number"],
+        ),
+        (
             "until = \"r <= 8\"",
             "until = \"r <= 8\"\nfor = 3",
             ["solution 2 has several", "until and for"],

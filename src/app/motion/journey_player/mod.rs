@@ -1,19 +1,21 @@
 //! A journey and how far it has been flown: it starts, waits at its stops, stops, starts again, and ends
 //! when something else moves the camera.
 
+mod stops;
+mod words;
+
+pub use stops::ShownStops;
+
 use super::flight_step::FlightStep;
 use crate::app::state::MAX_FRAME_SECONDS;
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::journey::{Journey, Stop, Switches, Unflyable, between};
+use lightfall_core::scene::journey::{Journey, Unflyable, between};
 use lightfall_core::scene::presets::Preset;
 use lightfall_core::scene::{Camera, Scene};
 
 /// Seconds in which the camera comes from where it is to where the journey is.
 const APPROACH: f64 = 4.0;
-/// Seconds for which the title is shown at the beginning.
-const TITLE_SECONDS: f64 = 4.5;
-
 /// A journey, and how far it has been flown.
 #[derive(Resource, Clone, Debug)]
 pub struct JourneyPlayer {
@@ -29,15 +31,6 @@ pub struct JourneyPlayer {
     home: Option<Scene>,
     /// The scene as it was before the stops of the last flight switched its fields.
     switched: Option<Scene>,
-}
-
-/// The first stops of a flight, so many of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ShownStops {
-    /// The number of the flight.
-    flight: u32,
-    /// How many stops.
-    pub stops: usize,
 }
 
 /// A journey under way.
@@ -131,43 +124,6 @@ impl JourneyPlayer {
         self.flight.is_some()
     }
 
-    /// Whether a journey with stops is being flown.
-    #[must_use]
-    pub fn has_lesson(&self) -> bool {
-        self.is_playing() && !self.journey.stops.is_empty()
-    }
-
-    /// The stop at which the journey waits, and its number, counted from 1.
-    #[must_use]
-    pub fn waits_at(&self) -> Option<(&Stop, usize)> {
-        self.flight.as_ref()?;
-        let stop = self.next_stop().filter(|stop| self.time >= stop.time)?;
-        Some((stop, self.left + 1))
-    }
-
-    fn next_stop(&self) -> Option<&Stop> {
-        self.journey.stops.get(self.left)
-    }
-
-    /// Whether the journey waits at a stop and the camera has come there, so that the hands have it.
-    #[must_use]
-    pub fn rests(&self) -> bool {
-        let came = |flight: &Flight| {
-            flight.since >= APPROACH && flight.shown == Some(self.left + 1) && flight.last.is_some()
-        };
-        self.waits_at().is_some() && self.flight.as_ref().is_some_and(came)
-    }
-
-    /// Which stops have switched what is shown. None without a flight, and before its first frame.
-    #[must_use]
-    pub fn shown_stops(&self) -> Option<ShownStops> {
-        let stops = self.flight.as_ref()?.shown?;
-        Some(ShownStops {
-            flight: self.flights,
-            stops,
-        })
-    }
-
     /// Whether the camera is where the journey has it now.
     #[must_use]
     pub fn is_there(&self, scene: &Scene) -> bool {
@@ -198,46 +154,6 @@ impl JourneyPlayer {
     #[must_use]
     pub fn share(&self) -> f64 {
         (self.time / self.journey.duration).clamp(0.0, 1.0)
-    }
-
-    /// The title and the text of the card at the end.
-    #[must_use]
-    pub fn last_words(&self) -> [&str; 2] {
-        let title = match self.journey.title.trim() {
-            "" => "The journey ends here",
-            title => title,
-        };
-        [title, &self.journey.ending]
-    }
-
-    /// What to show over the picture now: the title at the beginning, then the captions, with the
-    /// seconds since it appeared and until it goes. None without a flight, and at a stop, which has words
-    /// of its own.
-    #[must_use]
-    pub fn words(&self) -> Option<Words<'_>> {
-        self.flight.as_ref()?;
-        if self.waits_at().is_some() {
-            return None;
-        }
-        let title = self.journey.title.trim();
-        if let Some(caption) = self.journey.caption_at(self.time) {
-            let since = self.time - caption.time;
-            Some(Words {
-                text: &caption.text,
-                is_title: false,
-                since,
-                left: caption.seconds - since,
-            })
-        } else if self.time < TITLE_SECONDS && !title.is_empty() && self.left == 0 {
-            Some(Words {
-                text: title,
-                is_title: true,
-                since: self.time,
-                left: TITLE_SECONDS - self.time,
-            })
-        } else {
-            None
-        }
     }
 
     /// Checks whether the rest of the journey can be flown in this scene; after its end, whether
@@ -274,78 +190,9 @@ impl JourneyPlayer {
         self.flight = Some(Flight::there(0.0));
     }
 
-    /// Goes ahead by `seconds`, or back by a negative number, within the journey and no farther than
-    /// to the next stop. The next step shows that place at once.
-    pub fn skip(&mut self, seconds: f64) {
-        if !self.is_playing() {
-            return;
-        }
-        if seconds > 0.0 && self.waits_at().is_some() {
-            self.left += 1;
-        }
-        let next = self
-            .next_stop()
-            .map_or(self.journey.duration, |stop| stop.time);
-        self.show_at((self.time + seconds).clamp(0.0, next));
-        if seconds < 0.0 {
-            self.left = self.stops_before(self.time);
-        }
-    }
-
-    fn stops_before(&self, time: f64) -> usize {
-        self.journey.stops.partition_point(|stop| stop.time < time)
-    }
-
-    /// Shows the journey at this time at once, from the next step on.
-    fn show_at(&mut self, time: f64) {
-        self.time = time;
-        if let Some(flight) = &mut self.flight {
-            flight.since = APPROACH;
-        }
-    }
-
-    /// Goes on from the stop at which the journey waits, from where the camera is; on the way, shows the
-    /// next stop at once.
-    pub fn go_on(&mut self, scene: &Scene) {
-        if self.waits_at().is_none() {
-            let next = self
-                .next_stop()
-                .map_or(self.journey.duration, |stop| stop.time);
-            return self.show_at(next);
-        }
-        let is_there = self.is_there(scene);
-        self.left += 1;
-        if let Some(flight) = self.flight.as_mut().filter(|_| !is_there) {
-            (flight.from, flight.since, flight.last) = (scene.camera, 0.0, Some(scene.camera));
-        }
-    }
-
-    /// Goes back to the stop before, or to the beginning.
-    pub fn go_back(&mut self) {
-        let before = self.left.checked_sub(1);
-        self.left = before.unwrap_or(0);
-        let stop = before.and_then(|before| self.journey.stops.get(before));
-        self.show_at(stop.map_or(0.0, |stop| stop.time));
-    }
-
     /// Leaves the camera where it is.
     pub fn stop(&mut self) {
         self.flight = None;
-    }
-
-    /// The scene without what the stops have switched. None if they have switched nothing.
-    pub fn unswitched(&mut self, mut scene: Scene) -> Option<Scene> {
-        let base = self.switched.take()?;
-        let none = Switches::default().fields;
-        self.journey.switch(&none, &base, &mut scene);
-        (!self.journey.stops.is_empty()).then_some(scene)
-    }
-
-    /// Notes where the hands have the camera while the journey waits at a stop.
-    pub fn follow(&mut self, scene: &Scene) {
-        if let Some(flight) = &mut self.flight {
-            (flight.last, flight.clock) = (Some(scene.camera), self.time);
-        }
     }
 
     /// Lets `seconds` pass, but no more than one frame may: a machine that slept did not fly
@@ -396,17 +243,4 @@ impl JourneyPlayer {
         }
         step
     }
-}
-
-/// Words over the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Words<'a> {
-    /// One line.
-    pub text: &'a str,
-    /// Whether this is the journey's title.
-    pub is_title: bool,
-    /// Seconds since it appeared.
-    pub since: f64,
-    /// Seconds until it goes.
-    pub left: f64,
 }
