@@ -91,7 +91,7 @@ fn check_journey(preset: &OsStr) -> Result<Option<String>, Stop> {
     };
     let named = match given.and_then(journey::built_in) {
         Some(lesson) => lesson.preset,
-        None => storage::journey_of_file(path)?.preset,
+        None => storage::journey_by_name(path)?.preset,
     };
     let scene = stage(named);
     let journey = storage::read_journey(Some(path), scene)?;

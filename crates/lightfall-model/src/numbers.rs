@@ -66,6 +66,12 @@ pub fn four_digits(number: f64) -> String {
     }
 }
 
+/// A number with one decimal, e.g. `-3.2`. Zero has no sign, nor has what is rounded to zero.
+pub fn one_decimal(number: f64) -> String {
+    // Adding zero removes the sign of a negative zero.
+    format!("{:.1}", (10.0 * number).round() / 10.0 + 0.0)
+}
+
 /// A spin with at most four significant digits, or with all of them where it would be rounded to
 /// one, which no hole has.
 pub fn spin_digits(spin: f64) -> String {

@@ -6,7 +6,8 @@ use super::control::{Action, AppCommand, Control};
 /// What a control's key does in a lesson.
 pub(crate) fn key_in_lesson(control: &Control) -> Action {
     match control.id {
-        "fly.up" => Action::Do(AppCommand::GoOn),
+        // Enter goes on in every slide show.
+        "fly.up" | "journey.again" => Action::Do(AppCommand::GoOn),
         _ => page_in_lesson(control),
     }
 }

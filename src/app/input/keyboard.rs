@@ -3,7 +3,7 @@
 use super::clicks::hold_keys_after_click;
 use super::gamepad::Pads;
 use super::held::ClaimedKeys;
-use super::typing::{MouseOverPanel, Typing};
+use super::typing::{MouseOverPanel, Typing, types_numbers};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, FlightInput, Modifier};
 use crate::app::controls::edits::edited;
@@ -14,6 +14,7 @@ use crate::app::controls::lesson::{button_in_lesson, key_in_lesson};
 use crate::app::controls::statement::statement;
 use crate::app::state::helm::CommandSender;
 use crate::app::state::lessons::LessonUnderWay;
+use crate::app::state::missions::AskedQuestion;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;
@@ -36,7 +37,7 @@ pub(super) fn apply_pressed_controls(
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     (typing, over_panel): (Res<Typing>, Res<MouseOverPanel>),
-    lesson: Res<LessonUnderWay>,
+    (lesson, asked): (Res<LessonUnderWay>, Res<AskedQuestion>),
     mut claimed: ResMut<ClaimedKeys>,
     pads: Pads,
     mut editor: SceneEditor,
@@ -50,9 +51,14 @@ pub(super) fn apply_pressed_controls(
     let claims = |(code, modifier): &&(KeyCode, Option<Modifier>)| {
         modifier.is_some() && bindings.owner(*code, *modifier).is_some()
     };
-    claimed
-        .0
-        .extend(new.iter().filter(claims).map(|(code, _)| *code));
+    for (code, modifier) in new.iter().filter(claims) {
+        claimed.0.push(*code);
+        // Ctrl alone flies down.
+        let keys = modifier.iter().flat_map(|modifier| modifier.keys());
+        claimed
+            .0
+            .extend(keys.filter(|key| thrusts(*key, &bindings)));
+    }
     let at_once = typing.keys_before_click.map_or(new.len(), |before| {
         let before = inputs.iter().take(before);
         before.filter(|input| is_press(input)).count()
@@ -60,16 +66,21 @@ pub(super) fn apply_pressed_controls(
     let mut presses = std::mem::take(&mut *waiting);
     presses.extend(&new[..at_once]);
     waiting.extend(&new[at_once..]);
-    let kept = |(code, modifier): &(KeyCode, Option<Modifier>)| {
+    let by_panel = |(code, modifier): &(KeyCode, Option<Modifier>)| {
         over_panel.keeps(*code) && modifier.is_none()
     };
-    if listens && presses.iter().any(kept) {
+    if listens && presses.iter().any(by_panel) {
         editor.say("The mouse is over the panel: click a field to type a number");
     }
+    // They type the answer, whether or not its field has the keyboard.
+    let asks = lesson.asks || asked.question().is_some();
+    let kept = |press: &(KeyCode, Option<Modifier>)| {
+        by_panel(press) || asks && types_numbers(press.0) && press.1.is_none()
+    };
     let has_ship = commands.helm.has_ship();
     let [key_action, button_action]: [fn(&Control) -> Action; 2] = if has_ship {
         [key_at_helm, button_at_helm]
-    } else if lesson.0 {
+    } else if lesson.is_flown {
         [key_in_lesson, button_in_lesson]
     } else {
         [usual_action, usual_action]
@@ -96,7 +107,7 @@ pub(super) fn apply_pressed_controls(
     for (control, action, input) in by_key.chain(by_button) {
         match action {
             // Shift is a gear, too: whoever flies means the key without it.
-            Action::Do(AppCommand::TakeControls) if thrusts(&keys, &bindings) => {
+            Action::Do(AppCommand::TakeControls) if is_thrusting(&keys, &bindings) => {
                 commands.send(AppCommand::LetGo);
             }
             Action::Do(command) => commands.send(command),
@@ -111,11 +122,16 @@ fn usual_action(control: &Control) -> Action {
 }
 
 /// Whether a key that pushes is held.
-fn thrusts(keys: &ButtonInput<KeyCode>, bindings: &Bindings) -> bool {
+fn is_thrusting(keys: &ButtonInput<KeyCode>, bindings: &Bindings) -> bool {
+    keys.get_pressed().any(|key| thrusts(*key, bindings))
+}
+
+/// Whether a key pushes while it is held.
+fn thrusts(key: KeyCode, bindings: &Bindings) -> bool {
     let pushes = |action: Action| matches!(action, Action::Hold(input) if FlightInput::THRUST.contains(&input));
     bindings
         .iter()
-        .any(|(control, codes)| pushes(control.action) && keys.any_pressed(codes.iter().copied()))
+        .any(|(control, codes)| pushes(control.action) && codes.contains(&key))
 }
 
 /// Whether one of the keys was held at any time of the frame.

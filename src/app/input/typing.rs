@@ -42,7 +42,7 @@ impl MouseOverPanel {
 }
 
 /// Whether a key belongs to typing a number.
-fn types_numbers(key: KeyCode) -> bool {
+pub(super) fn types_numbers(key: KeyCode) -> bool {
     use KeyCode::{
         Comma, Digit0, Digit1, Digit2, Digit3, Digit4, Digit5, Digit6, Digit7, Digit8, Digit9,
         Enter, Minus, NumpadEnter, NumpadSubtract, Period,

@@ -29,7 +29,7 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
-use lightfall_core::numbers::{duration_in_words, four_digits};
+use lightfall_core::numbers::{duration_in_words, four_digits, one_decimal};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Scene;
@@ -92,7 +92,7 @@ pub(crate) fn status(
     if !scene.disk_moves() {
         return String::new();
     }
-    let time = units.time(scene.disk.time, |time| format!("{time:.1}"));
+    let time = units.time(scene.disk.time, one_decimal);
     let pause = bindings.label("motion.pause");
     match driver {
         // Inside the horizon the clock counts another time, and none far away can be compared.

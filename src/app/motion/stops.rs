@@ -3,6 +3,7 @@
 
 use super::journey::{advance_journey, put_fields_back};
 use super::journey_player::{JourneyPlayer, ShownStops};
+use crate::app::state::end_card::EndCard;
 use crate::app::state::lessons::{AskedRay, LessonUnderWay};
 use crate::app::state::overlays::{Overlays, Side};
 use crate::app::state::scene_editor::SceneEditor;
@@ -39,12 +40,19 @@ fn follow_stops(
     mut comparison: ResMut<Comparison>,
     mut asked: ResMut<AskedRay>,
     mut under_way: ResMut<LessonUnderWay>,
+    end_card: Res<EndCard>,
     mut editor: SceneEditor,
 ) {
-    under_way.set_if_neq(LessonUnderWay(player.has_lesson()));
+    under_way.set_if_neq(LessonUnderWay {
+        is_flown: player.has_lesson(),
+        asks: player
+            .waits_at()
+            .is_some_and(|(stop, _)| stop.question.is_some()),
+    });
     let shown = player.shown_stops().filter(|_| player.has_lesson());
     let Some(now) = shown else {
-        if player.has_lesson() {
+        // The card at the end stands over the last stop's picture.
+        if player.has_lesson() || stage.before.is_some() && end_card.is_open() {
             return;
         }
         if !player.is_playing() {

@@ -18,7 +18,11 @@ pub(crate) struct StartJourney(pub(crate) Box<Journey>);
 
 /// Whether a journey with stops is under way, whose keys go on and back.
 #[derive(Resource, Default, PartialEq)]
-pub(crate) struct LessonUnderWay(pub(crate) bool);
+pub(crate) struct LessonUnderWay {
+    pub(crate) is_flown: bool,
+    /// Whether it waits at a stop with a question, whose answer the keys of numbers type.
+    pub(crate) asks: bool,
+}
 
 /// What a stop asks the ray inspector to show; none where no stop says anything.
 #[derive(Resource, Default, PartialEq)]

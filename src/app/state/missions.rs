@@ -23,7 +23,8 @@ pub(crate) struct AskedQuestion {
     asked: Option<(Question, MissionResult)>,
     /// What was typed.
     pub(crate) typed: String,
-    /// What is said of the last answer.
+    /// Whether the last answer is right, and what is said of it.
+    pub(crate) is_right: bool,
     pub(crate) said: String,
     /// The card that tells the end of the mission, and with it the answer.
     card: EndCard,
@@ -40,9 +41,8 @@ impl AskedQuestion {
     }
 
     /// The question that is asked.
-    pub(crate) fn question(&self) -> Option<&str> {
-        let (question, _) = self.asked.as_ref()?;
-        Some(&question.text)
+    pub(crate) fn question(&self) -> Option<&Question> {
+        self.asked.as_ref().map(|(question, _)| question)
     }
 
     /// Closes the question. Returns the card that waited.
@@ -54,9 +54,9 @@ impl AskedQuestion {
     pub(crate) fn answer(&mut self) -> Option<MissionResult> {
         let (question, result) = self.asked.as_mut()?;
         match question.judge(&self.typed) {
-            Ok((answer, said)) => {
-                result.answer = Some(answer);
-                self.said = said;
+            Ok(judged) => {
+                result.answer = Some(judged.number);
+                (self.is_right, self.said) = (judged.is_right, judged.said);
                 Some(result.clone())
             }
             Err(fault) => {

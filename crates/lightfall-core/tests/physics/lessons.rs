@@ -165,7 +165,7 @@ fn the_numbers_of_the_lesson_about_the_shadow_are_those_of_the_reference() {
     lesson.states(6, &[]);
     lesson.states(7, &[far.to_degrees(), far.sin(), 60.0 * far.sin()]);
     let question = lesson.stop(7).question.clone().unwrap();
-    assert!((2.0 * CRITICAL_IMPACT * 12.0 - question.answer).abs() < 0.01);
+    assert!((2.0 * CRITICAL_IMPACT * 12.7 - question.answer).abs() < 0.01);
     lesson.ends();
 }
 

@@ -6,7 +6,7 @@ use lightfall_core::scene::journey::{
     self, Draft, InspectorView, Journey, LESSONS, Shown, SideBySide, Unflyable, load,
 };
 use lightfall_core::scene::presets::{PRESETS, find};
-use lightfall_core::scene::{ObserverKind, Scene, Value, View};
+use lightfall_core::scene::{JudgedAnswer, ObserverKind, Scene, Value, View};
 
 const KEYFRAMES: &str = "[[keyframe]]\ntime = 2\nr = 20\n[[keyframe]]\ntime = 12\nr = 10\n";
 
@@ -43,11 +43,16 @@ fn a_stop_is_read_with_everything_that_it_may_have() {
     );
     assert_eq!(first.inspector, Some(InspectorView::Place([0.25, 1.0])));
     let question = first.question.as_ref().unwrap();
+    let judged = |number: f64, is_right: bool, said: &str| JudgedAnswer {
+        number,
+        is_right,
+        said: said.into(),
+    };
     assert_eq!(
         question.judge("2,95 r_s"),
-        Ok((2.95, "Right: it is 3 r_s".into()))
+        Ok(judged(2.95, true, "Right: it is 3 r_s"))
     );
-    assert_eq!(question.judge("4"), Ok((4.0, "It is not 4".into())));
+    assert_eq!(question.judge("4"), Ok(judged(4.0, false, "It is not 4")));
     assert_eq!(
         question.judge("large"),
         Err("\"large\" is not a number".into())

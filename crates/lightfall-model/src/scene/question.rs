@@ -18,24 +18,40 @@ pub struct Question {
     pub unit: String,
 }
 
+/// An answer to a question, and whether it is right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedAnswer {
+    /// The number.
+    pub number: f64,
+    /// Whether it is right.
+    pub is_right: bool,
+    /// A sentence that says so.
+    pub said: String,
+}
+
 impl Question {
-    /// The number that was typed as an answer, and a sentence that says whether it is right.
+    /// What was typed, as an answer.
     ///
     /// # Errors
     /// A sentence that says that no number was typed.
-    pub fn judge(&self, typed: &str) -> Result<(f64, String), String> {
+    pub fn judge(&self, typed: &str) -> Result<JudgedAnswer, String> {
         let typed = typed.trim().replace(',', ".");
         let number = typed.strip_suffix(&self.unit).unwrap_or(&typed).trim();
-        let answer: Option<f64> = number.parse().ok();
-        let Some(answer) = answer.filter(|answer| answer.is_finite()) else {
+        let number: Option<f64> = number.parse().ok();
+        let Some(number) = number.filter(|number| number.is_finite()) else {
             return Err(format!("{typed:?} is not a number"));
         };
-        let said = if (answer - self.answer).abs() <= self.tolerance {
+        let is_right = (number - self.answer).abs() <= self.tolerance;
+        let said = if is_right {
             let right = [four_digits(self.answer), self.unit.clone()].join(" ");
             format!("Right: it is {}", right.trim_end())
         } else {
             format!("It is not {typed}")
         };
-        Ok((answer, said))
+        Ok(JudgedAnswer {
+            number,
+            is_right,
+            said,
+        })
     }
 }

@@ -150,9 +150,11 @@ pub fn journey_of_file(path: &Path) -> Result<Journey, SourceError> {
     Ok(journey::load(&path.display().to_string(), &text)?)
 }
 
-/// Whether a file is meant as a journey, and not as a preset or a picture.
+/// Whether a file, given by its path or as the name of the user's own lesson, is meant as a journey, and
+/// not as a preset or a picture.
 #[must_use]
 pub fn is_journey_file(path: &Path) -> bool {
+    let path = &own_lesson(path).unwrap_or_else(|| path.into());
     contents(path).is_ok_and(|bytes| {
         !is_picture(&bytes)
             && text_of_source(path, bytes).is_ok_and(|text| journey::is_journey(&text))

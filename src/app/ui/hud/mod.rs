@@ -12,6 +12,7 @@ mod journey;
 mod key_hints;
 mod physics_off;
 mod presence;
+mod question_field;
 mod read_outs;
 mod ship;
 mod stop;

@@ -19,7 +19,7 @@ use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2};
-use lightfall_core::numbers::{spin_digits, steady_digits};
+use lightfall_core::numbers::{one_decimal, spin_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_render::DrawnScene;
@@ -55,14 +55,21 @@ impl ReadOut {
 #[must_use]
 pub fn read_outs(scene: &Scene, speed: f64, units: Units) -> [Vec<ReadOut>; 2] {
     let camera = &scene.camera;
-    let degrees = |angle: f64| format!("{angle:.1}°");
-    let height = height(scene.degrees_above_disk());
+    let degrees = |angle: f64| format!("{}°", one_decimal(angle));
+    let above = match scene.disk.enabled {
+        true => scene.degrees_above_disk(),
+        false => 90.0 - camera.theta_deg,
+    };
+    let height = height(above, scene.disk.enabled);
     let distance = units.length(camera.r, steady_digits);
     let distance = match units {
         Units::Hole => ReadOut::new("r", distance, "00000 r_s"),
         Units::Everyday(_) => ReadOut::new("distance", distance, "000.0 million km"),
     };
-    let mut place = vec![distance, ReadOut::new("", height, "00.0° above the disk")];
+    let mut place = vec![
+        distance,
+        ReadOut::new("", height, "00.0° above the equator"),
+    ];
     if !units.are_simple() {
         place.extend([
             ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
@@ -88,12 +95,17 @@ pub fn read_outs(scene: &Scene, speed: f64, units: Units) -> [Vec<ReadOut>; 2] {
     [place, motion]
 }
 
-/// The angle above the disk's plane in words, as seen from the hole.
-fn height(above: f64) -> String {
+/// The angle above the disk's plane in words, as seen from the hole. Without a disk this plane is the
+/// equator's.
+fn height(above: f64, has_disk: bool) -> String {
+    let (plane, place) = match has_disk {
+        true => ("the disk's plane", "the disk"),
+        false => ("the equator's plane", "the equator"),
+    };
     match above {
-        _ if above.abs() < 0.05 => "in the disk's plane".into(),
-        _ if above > 0.0 => format!("{above:.1}° above the disk"),
-        _ => format!("{:.1}° below the disk", -above),
+        _ if above.abs() < 0.05 => format!("in {plane}"),
+        _ if above > 0.0 => format!("{above:.1}° above {place}"),
+        _ => format!("{:.1}° below {place}", -above),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The card of the stop at which a lesson waits: its lines, its question, and what goes on.
 
 use super::board::{BRIGHT, QUIET, WARNING};
+use super::question_field::{Step, show_answer_field};
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::journey_player::JourneyPlayer;
@@ -21,8 +22,6 @@ const SIZES: [f32; 4] = [19.0, 16.0, 13.5, 11.5];
 const MAX_SHARE: f32 = 0.36;
 /// Size of the other words against the caption's.
 const SMALL: f32 = 0.75;
-/// Width of the field for an answer, in points.
-const FIELD: f32 = 110.0;
 /// Room for the toast below the card, in points.
 const TOAST: f32 = 44.0;
 
@@ -32,16 +31,10 @@ pub(super) struct Answer {
     /// The stop's number, and when it is.
     stop: Option<(usize, f64)>,
     typed: String,
+    is_right: bool,
     said: String,
     /// Which of the sizes the card has.
     size: usize,
-}
-
-/// What is used on the card.
-#[derive(Default)]
-struct Used {
-    command: Option<AppCommand>,
-    answers: bool,
 }
 
 pub(super) fn show_stop(
@@ -90,7 +83,7 @@ pub(super) fn show_stop(
     }
     let place = place_of(layout, size);
     layout.take(NAME, place);
-    let mut used = Used::default();
+    let mut command = None;
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .constrain(false)
@@ -104,18 +97,15 @@ pub(super) fn show_stop(
                 if !stop.caption.is_empty() {
                     ui.label(words(&stop.caption, size, BRIGHT));
                 }
-                if let Some(question) = &stop.question {
-                    used.answers = ask(ui, question, &mut answer, size);
+                if let Some(question) = &stop.question
+                    && ask(ui, question, &mut answer, size)
+                {
+                    command = Some(AppCommand::GoOn);
                 }
-                used.command = show_ways(ui, keys, SMALL * size);
+                command = command.or(show_ways(ui, keys, SMALL * size));
             });
         });
-    if let Some(question) = stop.question.as_ref().filter(|_| used.answers) {
-        answer.said = match question.judge(&answer.typed) {
-            Ok((_, said)) | Err(said) => said,
-        };
-    }
-    if let Some(command) = used.command {
+    if let Some(command) = command {
         commands.send(command);
     }
 }
@@ -134,21 +124,24 @@ fn words(text: &str, size: f32, colour: Color32) -> RichText {
     RichText::new(text).size(size).color(colour)
 }
 
-/// Asks the question. Returns whether an answer was given.
+/// Asks the question and judges the answer. Returns whether the lesson goes on.
 fn ask(ui: &mut egui::Ui, question: &Question, answer: &mut Answer, size: f32) -> bool {
     ui.label(words(&question.text, 0.9 * size, BRIGHT));
-    let mut answers = false;
+    let mut step = Step::Types;
     ui.horizontal(|ui| {
-        let edit = egui::TextEdit::singleline(&mut answer.typed).desired_width(FIELD);
-        let field = ui.add(edit);
-        if !question.unit.is_empty() {
-            ui.label(words(&question.unit, 0.9 * size, BRIGHT));
-        }
-        let enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
-        answers = field.lost_focus() && enter || ui.button("Answer").clicked();
+        let Answer {
+            typed, is_right, ..
+        } = answer;
+        step = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
         ui.label(words(&answer.said, 0.9 * size, WARNING));
     });
-    answers
+    if step == Step::Answers {
+        match question.judge(&answer.typed) {
+            Ok(judged) => (answer.is_right, answer.said) = (judged.is_right, judged.said),
+            Err(fault) => answer.said = fault,
+        }
+    }
+    step == Step::IsDone
 }
 
 /// Shows the buttons that go on and back, with their keys. Returns what was clicked.

@@ -28,18 +28,19 @@ const VALUE: f32 = 150.0;
 /// None without a ray.
 #[must_use]
 pub fn plane_handout(scene: &Scene, rays: &[Inspected], units: Units) -> Option<String> {
-    handout(scene, rays, &Sketch::default(), units)
+    handout(title(scene), scene, rays, &Sketch::default(), units)
 }
 
 /// The handout of the rays of a click, whose first one has the numbers.
 pub(super) fn handout(
+    title: &str,
     scene: &Scene,
     rays: &[Inspected],
     sketch: &Sketch,
     units: Units,
 ) -> Option<String> {
     let first = rays.first()?;
-    let mut page = Page::new(title(scene));
+    let mut page = Page::new(title);
     let figure = Rect::from_min_size(pos2(MARGIN, page.y), vec2(WIDTH - 2.0 * MARGIN, FIGURE));
     page.add_figure(figure, |painter| {
         sketch.paint(painter, figure, scene, rays, units)
@@ -61,7 +62,8 @@ pub(super) fn handout(
     Some(page.finish())
 }
 
-fn title(scene: &Scene) -> &str {
+/// The title of the scene, or its name.
+pub(super) fn title(scene: &Scene) -> &str {
     match scene.title.trim() {
         "" => &scene.name,
         title => title,

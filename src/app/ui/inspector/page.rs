@@ -4,6 +4,7 @@ use super::colours::path_colour;
 use super::drawing::{Viewpoint, legend};
 use super::ray_worker::InspectedRays;
 use super::{Inspector, handout, numbers, plane_figure};
+use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::handout_file::save_handout;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
@@ -34,7 +35,7 @@ const VIEWPOINTS: [(Viewpoint, &str); 4] = [
 /// Shows the inspector's page, and marks the rays of its answer on the picture.
 pub(super) fn show_inspector(
     mut contexts: EguiContexts,
-    preferences: Res<Preferences>,
+    (preferences, player): (Res<Preferences>, Res<JourneyPlayer>),
     picture: PictureInWindow,
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
@@ -46,6 +47,10 @@ pub(super) fn show_inspector(
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
+    let units = preferences.settings.units();
+    let journey = Some(player.journey()).filter(|_| player.has_lesson());
+    let lesson = journey.map(|journey| journey.title.trim());
+    let lesson = lesson.filter(|title| !title.is_empty());
     // The scene that was clicked, as it is now.
     let scene = picture
         .scene_of(inspector.side)
@@ -80,15 +85,16 @@ pub(super) fn show_inspector(
                 toast.say("The ray's numbers are on the clipboard, as JSON");
             }
             let hint = "The figure on white paper with its caption and numbers, as a file to print";
+            // In a lesson the picture is no longer that of the preset.
+            let title = lesson.unwrap_or_else(|| handout::title(seen));
             if ui.button("Handout").on_hover_text(hint).clicked()
-                && let Some(page) =
-                    handout::handout(seen, &answer.rays, sketch, preferences.settings.units())
+                && let Some(page) = handout::handout(title, seen, &answer.rays, sketch, units)
             {
                 toast.say(save_handout(&seen.name, &page));
             }
         });
         let waits = first.numbers.gpu.is_none() && answer.gpu_fault.is_none();
-        heading(ui, first, seen, scene, waits, preferences.settings.units());
+        heading(ui, first, seen, scene, waits, units);
         ui.horizontal(|ui| {
             for (viewpoint, name) in VIEWPOINTS {
                 ui.selectable_value(&mut sketch.viewpoint, viewpoint, name);
@@ -102,7 +108,6 @@ pub(super) fn show_inspector(
         let below = inspector.text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
         let height = (room - below).max(60.0);
         let size = egui::vec2(ui.available_width(), height);
-        let units = preferences.settings.units();
         sketch.show(ui, seen, &answer.rays, units, size);
         let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {

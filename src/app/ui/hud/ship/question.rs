@@ -4,6 +4,7 @@ use crate::app::motion::ship::ShipFlight;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::missions::{AskedQuestion, Missions};
 use crate::app::state::toast::Toast;
+use crate::app::ui::hud::question_field::{Step, show_answer_field};
 use crate::app::ui::layout::Slide;
 use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
@@ -11,9 +12,8 @@ use bevy_egui::egui;
 
 /// Name of the card, which is its egui area.
 const NAME: &str = "question";
-/// Largest width of the card, and the width of the field, in points.
+/// Largest width of the card, in points.
 const MAX_WIDTH: f32 = 330.0;
-const FIELD: f32 = 120.0;
 /// The size of the card before its first frame, in points.
 const FIRST_SIZE: egui::Vec2 = egui::vec2(MAX_WIDTH, 120.0);
 
@@ -27,7 +27,7 @@ pub(in crate::app::ui::hud) fn show_question(
     if ship.attempt().is_none() && asked.question().is_some() {
         asked.close();
     }
-    let Some(question) = asked.question().map(str::to_owned) else {
+    let Some(question) = asked.question().cloned() else {
         return;
     };
     let Some((context, layout)) = screen.texts().filter(|_| !end_card.is_open()) else {
@@ -42,23 +42,20 @@ pub(in crate::app::ui::hud) fn show_question(
             egui::Align2::RIGHT_CENTER.align_size_within_rect(size, layout.bounds())
         });
     layout.take(NAME, place);
-    let [mut answers, mut closes] = [false; 2];
+    let (mut step, mut closes) = (Step::Types, false);
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
             text_box(14.0, 8.0).show(ui, |ui| {
-                ui.label(egui::RichText::new(question).size(15.0));
+                ui.label(egui::RichText::new(&question.text).size(15.0));
                 ui.add_space(6.0);
                 ui.horizontal(|ui| {
-                    let edit = egui::TextEdit::singleline(&mut asked.typed).desired_width(FIELD);
-                    let field = ui.add(edit);
-                    if shown.is_none() {
-                        field.request_focus();
-                    }
-                    let enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
-                    answers = field.lost_focus() && enter || ui.button("Answer").clicked();
+                    let AskedQuestion {
+                        typed, is_right, ..
+                    } = &mut *asked;
+                    step = show_answer_field(ui, &question, typed, *is_right, 15.0);
                     closes = ui.button("Close").clicked();
                 });
                 if !asked.said.is_empty() {
@@ -66,9 +63,9 @@ pub(in crate::app::ui::hud) fn show_question(
                 }
             });
         });
-    if closes {
+    if closes || step == Step::IsDone {
         *end_card = asked.close();
-    } else if answers
+    } else if step == Step::Answers
         && let Some(result) = asked.answer()
         && let Err(fault) = missions.results.correct_last(result)
     {

@@ -139,6 +139,10 @@ fn path(ship: &Ship, units: Units) -> Vec<Instrument> {
     let falls = ship.constants().radial < 0.0;
     let point = |radius: Option<f64>, none: &str, is_next: bool| match (radius, next) {
         (None, _) => none.to_owned(),
+        // At the turning point itself the time is zero, or what rounding leaves of it.
+        (Some(radius), Some(next)) if is_next && next < 1e-3 => {
+            format!("{}, now", length(radius, units))
+        }
         (Some(radius), Some(next)) if is_next => {
             format!("{}, in {}", length(radius, units), steady(next))
         }
