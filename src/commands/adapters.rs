@@ -5,12 +5,13 @@ use super::stop::Stop;
 use lightfall_core::gpu;
 use lightfall_platform::log::say;
 
-/// Lists the graphics adapters. An adapter name that no adapter has is an error here too.
+/// Lists the graphics adapters with their numbers. A request for an adapter that means none of them, or
+/// several, is an error here too.
 pub(super) fn list_adapters() -> Result<(), Stop> {
     gpu::check_adapter().map_err(Stop::without_device)?;
-    let lines: String = gpu::adapters()
+    let lines: String = gpu::numbered(&gpu::adapters())
         .iter()
-        .map(|adapter| format!("{adapter}\n"))
+        .map(|line| format!("{line}\n"))
         .collect();
     print(&lines)?;
     if let Some(hidden) = gpu::about_hidden_adapters() {

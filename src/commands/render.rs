@@ -1,12 +1,14 @@
 //! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
 mod checks;
+mod exr_options;
 mod notes;
 mod pictures;
 mod times;
 mod writer;
 
 use self::checks::{check_files, check_memory, check_times_file};
+use self::exr_options::{exr_form, exr_option};
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
@@ -19,7 +21,7 @@ use super::scene::{note_missing_stars, on_stage, scene, stars};
 use super::stop::Stop;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
-use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Studio};
+use lightfall_picture::{Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
 
 /// Draws and writes a picture, or a sequence of pictures.
@@ -43,10 +45,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
         ));
     }
-    if let (Format::Png | Format::Apng, Some(_)) = (format, &args.aov) {
-        return Err(Stop::refused(
-            "--aov is for pictures of linear light: the file's name must end in .exr",
-        ));
+    if let (Format::Png | Format::Apng, Some(option)) = (format, exr_option(args)) {
+        return Err(Stop::refused(format!(
+            "{option} is for pictures of linear light: the file's name must end in .exr"
+        )));
     }
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
@@ -85,7 +87,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             .clone()
             .unwrap_or_default()
             .of_scene(&pictures.scene),
-        names: ChannelNames::from_word(&args.aov_names).unwrap_or_default(),
+        form: exr_form(args),
         rays: None,
         animation: None,
         still: None,

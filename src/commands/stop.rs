@@ -33,13 +33,13 @@ impl Stop {
         }
     }
 
-    /// There is no graphics device. The command line is at fault if it names an adapter or an
-    /// interface that does not exist.
+    /// There is no graphics device. The command line is at fault if it asks for no single adapter, or
+    /// for an interface that does not exist.
     pub(super) fn without_device(error: GpuError) -> Self {
         match error {
-            GpuError::UnknownAdapter { .. } | GpuError::UnknownBackend { .. } => {
-                Self::refused(error)
-            }
+            GpuError::UnknownAdapter { .. }
+            | GpuError::SeveralAdapters { .. }
+            | GpuError::UnknownBackend { .. } => Self::refused(error),
             _ => Self::failed(error),
         }
     }

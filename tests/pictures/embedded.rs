@@ -53,7 +53,7 @@ fn a_picture_holds_the_preset_that_drew_it() {
     let linear = Linear::read(&folder.path().join("a.exr"));
     assert_eq!(linear.texts["lightfall.method"], "closed");
     assert_eq!(linear.texts["lightfall.version"], env!("CARGO_PKG_VERSION"));
-    assert!(linear.texts["lightfall.unit.RGB"].contains("before exposure, bloom and tone mapping"));
+    assert!(linear.texts["lightfall.unit.G"].contains("before bloom, exposure and tone mapping"));
 
     image::RgbImage::new(2, 2)
         .save(folder.path().join("other.png"))

@@ -434,6 +434,13 @@ fn the_same_scene_gives_the_same_bytes_with_short_texts_in_order() {
         fs::read(folder.path().join("a.exr")).unwrap()
     });
     assert!(bytes[0] == bytes[1] && bytes[0] == bytes[2], "bytes differ");
+    let frames = [0, 1].map(|_| {
+        let folder = tempfile::tempdir().unwrap();
+        let options = "--journey none --frames 3..4 --fps 24 --aov all --size 40x30 -o a-#.exr";
+        program(folder.path(), &scene, options);
+        ["a-3.exr", "a-4.exr"].map(|name| fs::read(folder.path().join(name)).unwrap())
+    });
+    assert!(frames[0] == frames[1], "bytes of frames differ");
     let attributes = attributes(&bytes[0]);
     assert!(attributes.is_sorted());
     let own = attributes

@@ -6,6 +6,7 @@ mod antialias;
 mod comparison;
 mod dither;
 mod embedded;
+mod exr_file;
 mod finite;
 mod idle;
 mod light;
@@ -27,6 +28,7 @@ mod sequences;
 mod stars;
 mod tilt;
 mod two_pictures;
+mod unit_of_light;
 
 use glam::UVec2;
 use lightfall_core::scene::{

@@ -20,6 +20,8 @@ mod crash;
 mod disk_clock;
 mod doctor;
 mod edge_view;
+#[cfg(target_os = "linux")]
+mod equal_adapters;
 mod failures;
 #[cfg(target_os = "linux")]
 mod file_dialog;

@@ -56,6 +56,14 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
+            "render -o a.png --exr piz",
+            "lightfall: --exr is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
+            "render --frames 0..1 -o a.apng --aov depth --nan zero",
+            "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
             "render --frames 0..1 --method reference -o a.exr",
             "lightfall: method = \"reference\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),

@@ -1,13 +1,14 @@
 //! The choice of the graphics adapter: the one that the environment names (the command line is
 //! copied there), else the preferred one, else the fastest.
 
+use super::adapter_list::{hidden_error, list, numbered};
+use super::adapter_request::requested_place;
 use super::error::GpuError;
-use super::requirements::Abilities;
 use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, InstanceFlags, Limits};
+use wgpu::{Adapter, AdapterInfo, Backends, Instance};
 
 /// An adapter by its full name and its interface: on some systems one adapter has several
 /// interfaces.
@@ -33,33 +34,6 @@ impl AdapterName {
 impl Display for AdapterName {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ({})", self.name, self.backend)
-    }
-}
-
-/// An adapter that could be chosen.
-#[derive(Clone, Debug)]
-pub struct Listed {
-    /// Its name.
-    pub name: AdapterName,
-    /// Software, integrated and so on.
-    pub kind: &'static str,
-    /// Its driver, with the version.
-    pub driver: String,
-    /// Whether it can measure the duration of passes.
-    pub timestamps: bool,
-    /// Its limits.
-    pub limits: Limits,
-    /// What the passes need and it lacks, each as a clause. Empty if it can be used.
-    pub missing: Vec<String>,
-}
-
-impl Display for Listed {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{} ({}, {}, {})",
-            self.name.name, self.kind, self.name.backend, self.driver
-        )
     }
 }
 
@@ -90,13 +64,12 @@ fn variable(name: &str) -> Option<String> {
     env::var(name).ok().filter(|value| !value.is_empty())
 }
 
+/// The variable that asks for an adapter by its number, its PCI bus id or a part of its name.
+const NAME_VARIABLE: &str = "WGPU_ADAPTER_NAME";
+
 /// The environment variable that chooses the adapter, if one is set.
 pub fn named_by_environment() -> Option<&'static str> {
-    let variables = [
-        "WGPU_ADAPTER_NAME",
-        "WGPU_BACKEND",
-        "WGPU_FORCE_FALLBACK_ADAPTER",
-    ];
+    let variables = [NAME_VARIABLE, "WGPU_BACKEND", "WGPU_FORCE_FALLBACK_ADAPTER"];
     let is_set = |name: &&str| variable(name).is_some();
     variables.into_iter().find(is_set)
 }
@@ -104,7 +77,7 @@ pub fn named_by_environment() -> Option<&'static str> {
 /// The backends that the program draws with: those of `WGPU_BACKEND`, else Vulkan, Metal and DX12.
 /// OpenGL is left out: it lacks features that the passes need, and its drivers print messages when
 /// they are queried.
-fn backends() -> Backends {
+pub(super) fn backends() -> Backends {
     let named = variable("WGPU_BACKEND");
     named.map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
 }
@@ -125,40 +98,8 @@ fn no_adapter() -> GpuError {
     }
 }
 
-/// The variable that makes wgpu show adapters whose drivers do not claim to conform to Vulkan.
-pub const SHOW_HIDDEN: &str = "WGPU_ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER";
-
-/// The adapters that wgpu hides because their drivers do not claim to conform to Vulkan.
-fn hidden_adapters() -> Vec<Listed> {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    let all = Instance::new(wgpu::InstanceDescriptor {
-        backends: backends() & Backends::VULKAN,
-        flags: descriptor.flags | InstanceFlags::ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER,
-        ..descriptor
-    });
-    let all = pollster::block_on(all.enumerate_adapters(Backends::VULKAN));
-    let shown = adapters();
-    let is_hidden = |listed: &Listed| shown.iter().all(|other| other.name != listed.name);
-    list(all).into_iter().filter(is_hidden).collect()
-}
-
-/// What is said of hidden adapters, and how to use one. `None` if there are none.
-pub fn about_hidden_adapters() -> Option<String> {
-    hidden_error(|_| true).map(|error| error.to_string())
-}
-
-/// The error about hidden adapters whose names are asked for, if there are any.
-fn hidden_error(asked: impl Fn(&str) -> bool) -> Option<GpuError> {
-    let names: Vec<String> = hidden_adapters()
-        .iter()
-        .filter(|adapter| asked(&adapter.name.name.to_lowercase()))
-        .map(ToString::to_string)
-        .collect();
-    (!names.is_empty()).then_some(GpuError::HiddenAdapters { names })
-}
-
 /// Every adapter of these interfaces.
-fn adapters_of(backends: Backends) -> Vec<Adapter> {
+pub(super) fn adapters_of(backends: Backends) -> Vec<Adapter> {
     pollster::block_on(instance(backends).enumerate_adapters(backends))
 }
 
@@ -167,15 +108,61 @@ pub(super) async fn every_adapter() -> Vec<Adapter> {
     instance(backends()).enumerate_adapters(backends()).await
 }
 
-/// The choice for code that opens a device by itself, as Bevy does: the backends, and the name of
-/// the preferred adapter if it exists, or of the one that replaces an adapter without a device.
-pub fn chosen() -> (Backends, Option<String>) {
-    let preferred =
-        preferred().filter(|preferred| adapters().iter().any(|listed| listed.name == *preferred));
-    match locked(&REPLACEMENT).clone().or(preferred) {
-        Some(AdapterName { name, backend }) => (Backends::from_comma_list(&backend), Some(name)),
-        None => (backends(), None),
+/// How code that opens a device by itself, as Bevy does, finds the adapter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The interfaces that are searched.
+    pub backends: Backends,
+    /// The name of the preferred adapter if it exists, or of the one that replaces an adapter without a
+    /// device.
+    pub name: Option<String>,
+    /// The adapter's place among all of these interfaces, if a search by its name, or by that of the
+    /// environment, finds another one.
+    pub place: Option<usize>,
+}
+
+/// The choice for code that opens a device by itself.
+pub fn chosen() -> Choice {
+    if let Some(given) = variable(NAME_VARIABLE) {
+        let infos = infos(&adapters_of(backends()));
+        let place = requested_place(&given, &infos).ok();
+        return Choice {
+            backends: backends(),
+            name: None,
+            place: place.filter(|place| first_named(&given, &infos) != Some(*place)),
+        };
     }
+    let wanted = locked(&REPLACEMENT).clone().or_else(preferred);
+    let found = wanted.and_then(|wanted| {
+        let backends = Backends::from_comma_list(&wanted.backend);
+        let infos = infos(&adapters_of(backends));
+        let place = infos
+            .iter()
+            .position(|info| AdapterName::of(info) == wanted)?;
+        let is_first = first_named(&wanted.name, &infos) == Some(place);
+        Some(Choice {
+            backends,
+            name: Some(wanted.name),
+            place: (!is_first).then_some(place),
+        })
+    });
+    found.unwrap_or_else(|| Choice {
+        backends: backends(),
+        name: None,
+        place: None,
+    })
+}
+
+fn infos(adapters: &[Adapter]) -> Vec<AdapterInfo> {
+    adapters.iter().map(Adapter::get_info).collect()
+}
+
+/// The place of the adapter that Bevy finds by a name.
+fn first_named(name: &str, infos: &[AdapterInfo]) -> Option<usize> {
+    let name = name.to_lowercase();
+    infos
+        .iter()
+        .position(|info| info.name.to_lowercase().contains(&name))
 }
 
 fn preferred() -> Option<AdapterName> {
@@ -191,20 +178,15 @@ fn instance(backends: Backends) -> Instance {
     })
 }
 
-/// The adapter that Bevy would choose: the first whose name contains `WGPU_ADAPTER_NAME`, else the
-/// preferred one, else a software adapter if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, else the fastest.
+/// The adapter to use: the one that `WGPU_ADAPTER_NAME` asks for, else the preferred one, else a
+/// software adapter if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, else the fastest.
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
-    if let Some(given) = variable("WGPU_ADAPTER_NAME") {
-        let wanted = given.to_lowercase();
-        let adapters = every_adapter().await;
-        let name = |adapter: &Adapter| adapter.get_info().name;
-        let names: Vec<String> = adapters.iter().map(name).collect();
-        let mut adapters = adapters.into_iter();
-        return match adapters.find(|adapter| name(adapter).to_lowercase().contains(&wanted)) {
-            Some(adapter) => Ok(adapter),
-            None if names.is_empty() => Err(no_adapter()),
-            None => Err(hidden_error(|name| name.contains(&wanted))
-                .unwrap_or(GpuError::UnknownAdapter { given, names })),
+    if let Some(given) = variable(NAME_VARIABLE) {
+        let mut adapters = every_adapter().await;
+        return match requested_place(&given, &infos(&adapters)) {
+            Ok(place) => Ok(adapters.swap_remove(place)),
+            Err(_) if adapters.is_empty() => Err(no_adapter()),
+            Err(meant) => Err(refused_request(given, &meant, adapters)),
         };
     }
     let wanted = locked(&REPLACEMENT).clone().or_else(preferred);
@@ -229,55 +211,23 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
         .map_err(|_| no_adapter())
 }
 
+/// The error about a request that means none of the adapters or, in these places, several.
+fn refused_request(given: String, meant: &[usize], adapters: Vec<Adapter>) -> GpuError {
+    let lines = numbered(&list(adapters));
+    if meant.is_empty() {
+        let wanted = given.to_lowercase();
+        let adapters = lines;
+        return hidden_error(|name| name.contains(&wanted))
+            .unwrap_or(GpuError::UnknownAdapter { given, adapters });
+    }
+    let adapters = meant.iter().map(|place| lines[*place].clone()).collect();
+    GpuError::SeveralAdapters { given, adapters }
+}
+
 /// Checks that there is an adapter to draw with.
 ///
 /// # Errors
 /// There is none, or none that the environment asks for.
 pub fn check_adapter() -> Result<(), GpuError> {
     pollster::block_on(adapter()).map(drop)
-}
-
-/// Every adapter that can be chosen. If several have the same name and interface, only the first is
-/// listed, which is the one that would be used.
-pub fn adapters() -> Vec<Listed> {
-    list(adapters_of(backends()))
-}
-
-fn list(adapters: Vec<Adapter>) -> Vec<Listed> {
-    let mut listed: Vec<Listed> = Vec::new();
-    for adapter in adapters {
-        let info = adapter.get_info();
-        let name = AdapterName::of(&info);
-        if listed.iter().all(|other| other.name != name) {
-            let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
-            let abilities = Abilities::of(&adapter);
-            listed.push(Listed {
-                name,
-                kind: kind(info.device_type),
-                driver: driver(&info),
-                timestamps,
-                missing: abilities.missing(),
-                limits: abilities.limits,
-            });
-        }
-    }
-    listed
-}
-
-/// The driver of an adapter, with the version. Empty where the interface tells neither.
-pub fn driver(info: &AdapterInfo) -> String {
-    format!("{} {}", info.driver, info.driver_info)
-        .trim()
-        .to_owned()
-}
-
-/// The kind of an adapter in one word.
-pub fn kind(kind: DeviceType) -> &'static str {
-    match kind {
-        DeviceType::Cpu => "software",
-        DeviceType::IntegratedGpu => "integrated",
-        DeviceType::DiscreteGpu => "discrete",
-        DeviceType::VirtualGpu => "virtual",
-        DeviceType::Other => "other",
-    }
 }

@@ -1,6 +1,6 @@
 //! Why the GPU cannot do what was asked.
 
-use super::adapter::SHOW_HIDDEN;
+use super::adapter_list::SHOW_HIDDEN;
 use super::driver_advice;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Method;
@@ -29,12 +29,24 @@ pub enum GpuError {
         given: String,
         available: Vec<&'static str>,
     },
-    /// There are adapters, but none of them has the requested name.
+    /// There are adapters, but the request means none of them.
     #[error(
-        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \
-         --list-gpus lists: {}", .names.join("; ")
+        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be the number, the PCI bus id or a part of the name of one \
+         of these adapters, which --list-gpus lists: {}", .adapters.join("; ")
     )]
-    UnknownAdapter { given: String, names: Vec<String> },
+    UnknownAdapter {
+        given: String,
+        adapters: Vec<String>,
+    },
+    /// The request means several adapters.
+    #[error(
+        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it means more than one adapter; the number or the PCI bus id \
+         means one of them: {}", .adapters.join("; ")
+    )]
+    SeveralAdapters {
+        given: String,
+        adapters: Vec<String>,
+    },
     /// There are adapters, but none of them has what the passes need and gives a device.
     #[error(
         "no graphics adapter can be used: {}; {}", .failures.join("; "), driver_advice::with_old_driver(OS)

@@ -1,9 +1,8 @@
 //! The replacement of a chosen adapter that cannot be used: some systems list adapters that give no
 //! device, such as Direct3D 12 without a shader compiler, or whose driver is too old.
 
-use super::adapter::{
-    AdapterName, adapter, driver, every_adapter, named_by_environment, replace_chosen,
-};
+use super::adapter::{AdapterName, adapter, every_adapter, named_by_environment, replace_chosen};
+use super::adapter_list::driver;
 use super::error::GpuError;
 use super::requirements::Abilities;
 use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Features, Queue};

@@ -3,6 +3,8 @@
 
 mod accumulation;
 mod adapter;
+mod adapter_list;
+mod adapter_request;
 mod antialias;
 mod background_device;
 pub mod bindings;
@@ -33,10 +35,9 @@ mod structure;
 pub mod timing;
 
 pub use accumulation::Accumulation;
-pub use adapter::{
-    AdapterName, Listed, about_hidden_adapters, adapters, check_adapter, chosen, driver, kind,
-    named_by_environment, prefer,
-};
+pub use adapter::{AdapterName, Choice, check_adapter, chosen, named_by_environment, prefer};
+pub use adapter_list::{Listed, about_hidden_adapters, adapters, driver, kind, numbered};
+pub use adapter_request::requested_place;
 pub use antialias::{EdgeTraits, Edges};
 pub use background_device::with_background_device;
 pub use call_size::{bands, max_pixels_of_call};

@@ -1,47 +1,34 @@
 //! Pictures of linear light as OpenEXR files, with the data of their rays in
 //! [`CHANNELS`](super::CHANNELS).
 
+use super::exr_form::{ChannelNames, ExrForm, MissingValues};
 use super::file::PictureError;
-use super::{Channel, Channels, exr_header};
+use super::{Channels, exr_header};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
+use lightfall_core::optics::photometry::DISK_HDR_SCALE;
 use lightfall_core::scene::Scene;
-use lightfall_core::words;
-use lightfall_platform::storage::{PictureRecord, preset_pieces, write_atomically};
+use lightfall_platform::storage::{PictureRecord, header_text, preset_pieces, write_atomically};
 use lightfall_render::Captured;
 use std::io::Cursor;
 use std::path::Path;
 
-/// The meaning of the light's own channels.
-const LIGHT: [(&str, &str); 2] = [
-    (
-        "RGB",
-        "linear light with the primaries of Rec. 709, before exposure, bloom and tone mapping; white paper is 1",
-    ),
-    (
-        "A",
-        "1 everywhere, because dark things hide what is behind them",
-    ),
-];
-
-words! {
-    /// The names of the channels in an EXR file.
-    pub enum ChannelNames {
-        /// One scalar or vector per layer, as in `hit1_radius.Y`.
-        Layers = "layers",
-        /// Those of version 0.1, as in `hit1.r`, which Blender and Krita do not read.
-        Version01 = "0.1",
-    }
-}
-
-impl ChannelNames {
-    /// The name of a channel in the file.
-    fn of(self, channel: &Channel) -> &'static str {
-        match self {
-            Self::Layers => channel.name,
-            Self::Version01 => channel.old_name,
-        }
-    }
+/// The meaning of the light's own channels, by name.
+fn about_light() -> [(&'static str, String); 4] {
+    let about = |part: &str| {
+        format!(
+            "linear {part}, primaries of Rec. 709, before bloom, exposure and tone mapping; white paper is 1, the disk \
+             {DISK_HDR_SCALE} disk.brightness F g^4 C(gT): F relative flux, C colour of a black body per flux, luminance 1 at \
+             6500 K (docs/PICTURES.md)"
+        )
+    };
+    let opacity = "1 everywhere, because dark things hide what is behind them";
+    [
+        ("R", about("red")),
+        ("G", about("green")),
+        ("B", about("blue")),
+        ("A", opacity.into()),
+    ]
 }
 
 /// A picture of linear light.
@@ -57,16 +44,16 @@ pub struct Linear<'a> {
     pub channels: &'a Channels,
     /// The numbers of those channels.
     pub samples: Vec<Vec<f32>>,
-    /// The channels' names in the file.
-    pub names: ChannelNames,
+    /// The form of the file.
+    pub form: ExrForm,
     /// The revision of the program, if it is known.
     pub commit: Option<&'a str>,
     /// Frames per second, if the picture is part of a sequence.
     pub fps: Option<f64>,
 }
 
-/// Writes an EXR picture: half floats for light, floats for the rest, with lossless compression. The
-/// same picture gives the same bytes. The file appears under its name only when it is complete.
+/// Writes an EXR picture: half floats for light, floats for the rest. The same picture gives the same
+/// bytes. The file appears under its name only when it is complete.
 ///
 /// # Errors
 /// The encoding failed, or the file cannot be written.
@@ -82,7 +69,7 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
             size,
             attributes,
             encoding: Encoding {
-                compression: Compression::ZIP16,
+                compression: picture.form.compression.method(),
                 blocks: Blocks::ScanLines,
                 line_order: LineOrder::Increasing,
             },
@@ -129,15 +116,23 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
         .iter()
         .zip(picture.samples)
         .map(|(channel, samples)| {
-            let name = picture.names.of(channel);
-            let samples = if picture.names == ChannelNames::Version01 && channel.was_count() {
-                FlatSamples::U32(samples.into_iter().map(|count| count as u32).collect())
-            } else {
-                FlatSamples::F32(samples)
+            let name = picture.form.names.of(channel);
+            let was_count = picture.form.names == ChannelNames::Version01 && channel.was_count();
+            let samples = match picture.form.missing {
+                _ if was_count => {
+                    FlatSamples::U32(samples.into_iter().map(|count| count as u32).collect())
+                }
+                MissingValues::Keep => FlatSamples::F32(samples),
+                MissingValues::Zero => FlatSamples::F32(samples.into_iter().map(present).collect()),
             };
             AnyChannel::new(name, samples)
         });
     AnyChannels::sort(light.chain(rest).collect())
+}
+
+/// The number, or zero in place of NaN.
+fn present(number: f32) -> f32 {
+    if number.is_nan() { 0.0 } else { number }
 }
 
 fn attributes(picture: &Linear) -> LayerAttributes {
@@ -146,7 +141,7 @@ fn attributes(picture: &Linear) -> LayerAttributes {
         .channels
         .list()
         .iter()
-        .map(|channel| (picture.names.of(channel), channel.about));
+        .map(|channel| (picture.form.names.of(channel), channel.about.to_owned()));
     let method = method(picture.scene).to_owned();
     let mut texts = vec![("lightfall.method".to_owned(), method)];
     let beside_preset = picture.record.texts.iter();
@@ -158,13 +153,13 @@ fn attributes(picture: &Linear) -> LayerAttributes {
     );
     texts.extend(preset_pieces(&picture.record.preset));
     texts.extend(
-        LIGHT
+        about_light()
             .into_iter()
             .chain(units)
-            .map(|(name, about)| (format!("lightfall.unit.{name}"), about.to_owned())),
+            .map(|(name, about)| (format!("lightfall.unit.{name}"), about)),
     );
     // The version of the channels' names.
-    let names = AttributeValue::I32(match picture.names {
+    let names = AttributeValue::I32(match picture.form.names {
         ChannelNames::Layers => 2,
         ChannelNames::Version01 => 1,
     });
@@ -173,7 +168,7 @@ fn attributes(picture: &Linear) -> LayerAttributes {
         frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
         other: texts
             .into_iter()
-            .map(|(name, value)| (name, AttributeValue::Text(text(&value))))
+            .map(|(name, value)| (name, AttributeValue::Text(text(header_text(&value)))))
             .chain([("lightfall.channels".to_owned(), names)])
             .map(|(name, value)| (Text::from(name.as_str()), value))
             .collect(),

@@ -2,7 +2,7 @@
 //! removed. The scene lives in the main world and loses nothing. A new device is opened, and Bevy
 //! runs `RenderStartup` of every pass again.
 
-use crate::device::wgpu_settings;
+use crate::device::render_creation;
 use crate::draw_request::DrawRequest;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
@@ -110,7 +110,7 @@ fn choose_error_policy(
         request.forget_picture();
     }
     warn!("the graphics device was lost; opening it again");
-    RenderErrorPolicy::Recover(wgpu_settings().into())
+    RenderErrorPolicy::Recover(render_creation())
 }
 
 /// Ends the program, and keeps the first sentence that says why.

@@ -4,7 +4,9 @@ use super::size::size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
-use lightfall_picture::{CHANNELS, ChannelNames, Channels, Frames, frame_rate};
+use lightfall_picture::{
+    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, frame_rate,
+};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -12,8 +14,9 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
 #[command(next_help_heading = "Graphics adapter")]
 pub struct GpuArgs {
-    /// Use the first adapter whose name contains NAME; the same as WGPU_ADAPTER_NAME
-    #[arg(long, value_name = "NAME", global = true)]
+    /// Use this adapter: its number in --list-gpus, its PCI bus id, or a part of its name; the same as
+    /// WGPU_ADAPTER_NAME
+    #[arg(long, value_name = "N|BUS|NAME", global = true)]
     pub gpu: Option<String>,
     /// Use this graphics interface; the same as WGPU_BACKEND
     #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12"])]
@@ -108,6 +111,13 @@ pub struct RenderArgs {
     #[arg(long, value_name = "layers|0.1", requires = "aov", default_value = ChannelNames::Layers.word(),
           value_parser = ChannelNames::WORDS)]
     pub aov_names: String,
+    /// What stands in these channels where a ray has no number: keep writes NaN, zero writes 0
+    #[arg(long, value_name = "keep|zero", requires = "aov", value_parser = MissingValues::WORDS)]
+    pub nan: Option<String>,
+    /// Compression of an .exr: zip has 16 rows in a block and zips has one; piz suits noisy light, rle is
+    /// quick, none is none. All of them keep every bit [default: zip]
+    #[arg(long, value_name = "zip|zips|piz|rle|none", value_parser = ExrCompression::WORDS)]
+    pub exr: Option<String>,
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
     /// frame A to frame B inclusive; an .apng holds all of them. Frames after the end show the end.
     /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0
@@ -141,7 +151,7 @@ fn about_pictures() -> String {
         })
         .concat();
     format!(
-        "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN. Groups \
+        "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN, or 0 with --nan zero. Groups \
          are sky, hit1, hit2 and medium; all means those of medium where the scene has matter with depth. The second name is that of version 0.1, and means the same channel:\n{channels}\n\
          Names of a sequence: the last run of # is replaced by the frame's number with at least as many digits, as in fall-####.png; fall.png \
          gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \

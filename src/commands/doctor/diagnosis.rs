@@ -11,6 +11,7 @@ use lightfall_core::gpu::{
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::presets::{self, PRESETS};
 use serde::Serialize;
+use wgpu::AdapterInfo;
 
 /// The presets of the self-test: one without spin, and the one with the fastest spin.
 pub const SELF_TEST_PRESETS: [&str; 2] = ["above", "extremal"];
@@ -55,6 +56,8 @@ pub struct Adapter {
     pub kind: &'static str,
     /// Its driver, with the version.
     pub driver: String,
+    /// Its place on the PCI bus. Empty if the interface does not tell it.
+    pub pci_bus_id: String,
     /// Whether commands use this adapter.
     pub used: bool,
     /// Whether it can measure the duration of passes.
@@ -81,7 +84,7 @@ impl Diagnosis {
         let built_in = PRESETS
             .iter()
             .map(|preset| -> &Scene { preset.plain_scene() });
-        let used = gpu.as_ref().ok().map(|gpu| AdapterName::of(&gpu.info));
+        let used = gpu.as_ref().ok().map(|gpu| gpu.info.clone());
         let mut diagnosis = Self {
             version: env!("CARGO_PKG_VERSION"),
             system: System::here(),
@@ -204,12 +207,13 @@ impl Diagnosis {
 }
 
 impl Adapter {
-    fn new(listed: Listed, used: Option<&AdapterName>) -> Self {
+    fn new(listed: Listed, used: Option<&AdapterInfo>) -> Self {
         Self {
-            used: used == Some(&listed.name),
+            used: used.is_some_and(|info| listed.is(info)),
             name: listed.name,
             kind: listed.kind,
             driver: listed.driver,
+            pci_bus_id: listed.pci_bus_id,
             timestamps: listed.timestamps,
             longest_texture_side: listed.limits.max_texture_dimension_2d,
             largest_storage_buffer: listed.limits.max_storage_buffer_binding_size,

@@ -26,7 +26,12 @@ use lightfall_core::scene::Scene;
 pub(super) fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
     let scene = scene_at_hand(&args.scene)?;
     let gpu = Gpu::headless();
-    if let Err(error @ (GpuError::UnknownAdapter { .. } | GpuError::UnknownBackend { .. })) = gpu {
+    if let Err(
+        error @ (GpuError::UnknownAdapter { .. }
+        | GpuError::SeveralAdapters { .. }
+        | GpuError::UnknownBackend { .. }),
+    ) = gpu
+    {
         return Err(Stop::without_device(error));
     }
     let bar = progress(SELF_TEST_PRESETS.len());

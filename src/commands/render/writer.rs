@@ -6,7 +6,7 @@ use crate::commands::stop::Stop;
 use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{
-    Animation, ChannelNames, Channels, Format, Linear, PictureError, PixelRays, Still, Studio,
+    Animation, Channels, ExrForm, Format, Linear, PictureError, PixelRays, Still, Studio,
 };
 use std::path::Path;
 
@@ -15,7 +15,8 @@ pub(super) struct PictureWriter {
     pub(super) studio: Studio,
     pub(super) format: Format,
     pub(super) channels: Channels,
-    pub(super) names: ChannelNames,
+    /// The form of an .exr.
+    pub(super) form: ExrForm,
     /// Opened for the first picture that needs it.
     pub(super) rays: Option<PixelRays>,
     /// The last picture of a .png.
@@ -86,7 +87,7 @@ impl PictureWriter {
             light,
             channels: &self.channels,
             samples,
-            names: self.names,
+            form: self.form,
             commit: commit.as_deref(),
             fps: self.fps,
         };

@@ -97,6 +97,30 @@ fn render_reads_channels_timings_and_frames() {
 }
 
 #[test]
+fn the_form_of_an_exr_has_listed_words_and_is_for_channels_where_it_concerns_them() {
+    let Command::Render(render) =
+        read("lightfall render -o a.exr --aov all --nan zero --exr piz --aov-names 0.1")
+    else {
+        panic!()
+    };
+    assert_eq!(
+        (render.nan.as_deref(), render.exr.as_deref()),
+        (Some("zero"), Some("piz"))
+    );
+    for (option, words) in [
+        ("--exr=pxr24", "zip, zips, piz, rle, none"),
+        ("--nan=0", "keep, zero"),
+    ] {
+        let error = refuse(&format!("lightfall render -o a.exr --aov sky {option}")).to_string();
+        assert!(error.contains(words), "{error}");
+    }
+    assert_eq!(
+        refuse("lightfall render -o a.exr --nan zero").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
+}
+
+#[test]
 fn only_an_adapter_that_is_a_program_is_said_to_need_a_graphics_card() {
     use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
     let said = |kind| commands::still_drawing([1920, 1080].into(), kind);

@@ -10,7 +10,7 @@ fn a_preferred_adapter_is_used_if_it_exists_and_the_best_one_otherwise() {
     }
     let best = Gpu::headless().unwrap().info;
     let without = chosen();
-    assert_eq!(without.1, None);
+    assert_eq!((&without.name, without.place), (&None, None));
     // The last of the list, which is seldom the best. The preference belongs to the process, but
     // other tests of this program only ask for the device that they share.
     let last = adapters().pop().unwrap();
@@ -28,8 +28,8 @@ fn a_preferred_adapter_is_used_if_it_exists_and_the_best_one_otherwise() {
     }));
     let choice_other = chosen();
     prefer(None);
-    assert_eq!(choice.1.as_ref(), Some(&last.name.name));
-    assert_eq!(choice.0, wgpu::Backends::from(opened.backend));
+    assert_eq!(choice.name.as_ref(), Some(&last.name.name));
+    assert_eq!(choice.backends, wgpu::Backends::from(opened.backend));
     assert_eq!(AdapterName::of(&opened), last.name);
     assert_eq!((choice_without, choice_other), (without.clone(), without));
     assert_eq!(AdapterName::of(&opened_without), AdapterName::of(&best));

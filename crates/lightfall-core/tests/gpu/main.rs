@@ -7,6 +7,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue has failed")]
 
 mod adapter;
+mod adapter_request;
 mod background_device;
 mod bench_rows;
 mod bench_run;

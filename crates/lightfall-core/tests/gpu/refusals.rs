@@ -47,7 +47,7 @@ fn the_message_about_a_missing_driver_names_the_packages_to_install() {
     // A wrong adapter name is no reason to install a driver.
     let named = GpuError::UnknownAdapter {
         given: "zzz".into(),
-        names: vec!["llvmpipe".into()],
+        adapters: vec!["0: llvmpipe".into()],
     }
     .to_string();
     assert!(

@@ -46,6 +46,12 @@ pub fn preset_pieces(preset: &str) -> Vec<(String, String)> {
         .collect()
 }
 
+/// The beginning of a text, as much of it as the header of an EXR file can hold.
+#[must_use]
+pub fn header_text(text: &str) -> &str {
+    &text[..text.floor_char_boundary(MAX_PIECE_BYTES)]
+}
+
 const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
 
@@ -92,10 +98,12 @@ fn in_exr(bytes: &[u8], key: &str) -> Option<String> {
     let attributes = headers
         .iter()
         .flat_map(|header| header.own_attributes.other.iter());
-    let pieces: BTreeMap<&[u8], &[u8]> = attributes
+    // Piece .100 comes after .99.
+    let pieces: BTreeMap<(usize, &[u8]), &[u8]> = attributes
         .filter_map(|(name, value)| match value {
             AttributeValue::Text(text) if name.as_slice().starts_with(key.as_bytes()) => {
-                Some((name.as_slice(), text.as_slice()))
+                let name = name.as_slice();
+                Some(((name.len(), name), text.as_slice()))
             }
             _ => None,
         })

@@ -11,7 +11,9 @@ mod picture_record;
 mod scene_source;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics, unless_it_panics};
-pub use embedded_preset::{add_record, embedded_preset, encoded_png, is_picture, preset_pieces};
+pub use embedded_preset::{
+    add_record, embedded_preset, encoded_png, header_text, is_picture, preset_pieces,
+};
 pub use file_name::file_safe_name;
 pub use files::{
     TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,

@@ -155,7 +155,7 @@ impl MachinePage {
                 if IN_BROWSER {
                     Vec::new()
                 } else {
-                    gpu::adapters()
+                    adapters_by_name()
                 }
             };
             Follower::new(move |()| list())
@@ -187,6 +187,17 @@ impl MachinePage {
             ui.weak("Kept in the settings. It takes effect at the next start.");
         }
     }
+}
+
+/// The adapters of this machine, each name once: the settings tell them apart by their names.
+fn adapters_by_name() -> Vec<Listed> {
+    let mut listed: Vec<Listed> = Vec::new();
+    for adapter in gpu::adapters() {
+        if listed.iter().all(|other| other.name != adapter.name) {
+            listed.push(adapter);
+        }
+    }
+    listed
 }
 
 fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Picture) {
