@@ -35,7 +35,7 @@ pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::ship::{
-    Engine, Flown, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, lamps, own_time_rate,
+    Engine, Flown, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, Track, lamps, own_time_rate,
     solution_time,
 };
 pub use motion::steering::{Barrier, Steered, Steering, steered, thrust_fades};

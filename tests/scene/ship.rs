@@ -353,3 +353,78 @@ fn the_instruments_show_what_closed_forms_give() {
             .starts_with("reaches nobody")
     );
 }
+
+/// Beyond 100 r_s a ship that comes away is at r exp(0.5) after each second, in frames of any length.
+#[test]
+fn far_from_the_hole_the_distance_grows_by_no_more_than_half_in_a_second_whatever_the_frames() {
+    for frames in [30_u32, 60, 144] {
+        let mut scene = scene_at(150.0, ObserverKind::Static);
+        scene.observer.velocity = [0.5, 0.0, 0.0];
+        let mut ship = aboard(&scene);
+        ship.change_pace(6);
+        let one = frame(1.0 / f64::from(frames), Stick::NEUTRAL);
+        let news = pass(&mut ship, &mut scene, &one);
+        assert_eq!(news, Some(News::Far), "{frames}");
+        for _ in 1..2 * frames {
+            assert_eq!(pass(&mut ship, &mut scene, &one), None);
+        }
+        let expected = 150.0 * 1.0_f64.exp();
+        let r = scene.camera.r;
+        assert!(
+            (r / expected - 1.0).abs() < 1e-9,
+            "{frames}: {r}, {expected}"
+        );
+        // A key that asks for more changes nothing, and one for less does.
+        ship.change_pace(1);
+        assert_eq!(ship.pace(), 64.0);
+        ship.change_pace(-1);
+        assert_eq!(ship.pace(), 32.0);
+    }
+}
+
+#[test]
+fn a_ship_that_is_bound_or_near_runs_as_fast_as_its_pace_says() {
+    for (r, velocity) in [(150.0, 0.0), (20.0, 0.5)] {
+        let mut scene = scene_at(r, ObserverKind::Static);
+        scene.observer.velocity = [velocity, 0.0, 0.0];
+        let mut ship = aboard(&scene);
+        assert_eq!(
+            pass(&mut ship, &mut scene, &frame(FRAME, Stick::NEUTRAL)),
+            None
+        );
+        assert!(!ship.is_far());
+        let usual = 0.1 * scene.camera.r.powf(1.5);
+        assert!((ship.rate() / usual - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn less_than_a_fifth_of_the_tank_is_said_once_and_an_empty_tank_after_it() {
+    let mut scene = scene_at(100.0, ObserverKind::Static);
+    let mut ship = aboard(&scene);
+    let mut said = Vec::new();
+    for _ in 0..20_000 {
+        // Across the way to the hole.
+        said.extend(pass(&mut ship, &mut scene, &frame(0.1, push(DVec3::Y))));
+        if said.contains(&News::Empty) {
+            break;
+        }
+    }
+    said.retain(|news| [News::LittleFuel, News::Empty].contains(news));
+    assert_eq!(said, [News::LittleFuel, News::Empty]);
+}
+
+/// The points lie on the circle that is flown; going back forgets what came after.
+#[test]
+fn the_track_holds_the_path_in_a_bounded_number_of_points_and_forgets_what_is_undone() {
+    let mut scene = scene_at(6.0, ObserverKind::Orbit);
+    let mut ship = aboard(&scene);
+    ship.change_pace(10);
+    coast(&mut ship, &mut scene, 600);
+    let places: Vec<DVec3> = ship.track().unwrap().places().collect();
+    assert!((64..=1024).contains(&places.len()), "{}", places.len());
+    let is_on_circle = |place: &DVec3| (place.length() - 6.0).abs() < 1e-6;
+    assert!(places.iter().all(is_on_circle));
+    ship.begin_again();
+    assert_eq!(ship.track().unwrap().places().count(), 1);
+}

@@ -2,9 +2,11 @@
 
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::optics::ship::{
-    Apsides, Attempt, Event, Heading, Hold, Orders, Outcome, Records, Thrust, fly,
+    Apsides, Attempt, Event, Heading, Hold, Orders, Outcome, Records, SolutionError, Thrust, fly,
 };
-use lightfall_core::scene::mission::{Burn, MISSIONS, Mission, Push, Quantity, load};
+use lightfall_core::scene::mission::{
+    Burn, Comparison, Condition, Course, MISSIONS, Mission, Push, Quantity, Until, load,
+};
 
 fn missions() -> Vec<Mission> {
     MISSIONS
@@ -258,4 +260,32 @@ fn missions_have_their_files_names_and_texts_without_repetition() {
         let same = missions.iter().filter(|other| other.title == mission.title);
         assert_eq!(same.count(), 1, "{name}");
     }
+}
+
+/// A part that waits for what never happens says so, and whether the tank is empty.
+#[test]
+fn a_solution_that_runs_dry_says_that_the_tank_is_empty() {
+    let mut mission = missions().swap_remove(0);
+    assert_eq!(mission.name, "two-burns");
+    let never = Condition {
+        quantity: Quantity::R,
+        comparison: Comparison::AtMost,
+        value: 1.0,
+    };
+    // The whole tank along the motion is more than the speed of escape.
+    for (push, expected) in [
+        (Push::Along(Course::Prograde), SolutionError::Empty(1)),
+        (Push::Off, SolutionError::NeverEnds(1)),
+    ] {
+        mission.solution = vec![Burn {
+            push,
+            acceleration: 0.02,
+            until: Until::Holds(never),
+        }];
+        let mut attempt = Attempt::new(&mission).unwrap();
+        let outcome = fly(&mut attempt, &mission.solution);
+        assert_eq!(outcome, Err(expected));
+    }
+    let said = SolutionError::Empty(1).to_string();
+    assert!(said.ends_with("because the tank is empty"), "{said}");
 }

@@ -5,6 +5,7 @@ use super::flight::{Event, Orders, Thrust};
 use super::heading::Heading;
 use super::holds::{Hold, HoldRefusal};
 use super::mission::{Attempt, Outcome};
+use super::quantities::Voyage;
 use glam::DVec3;
 use lightfall_model::geometry::ship::ShipError;
 use lightfall_model::scene::mission::{Burn, Push, Until};
@@ -22,6 +23,9 @@ pub enum SolutionError {
     /// A part never ends.
     #[error("solution {0} has not ended after {MAX_TIME} r_s/c")]
     NeverEnds(usize),
+    /// A part never ends, because nothing is left in the tank.
+    #[error("solution {0} has not ended after {MAX_TIME} r_s/c, because the tank is empty")]
+    Empty(usize),
     /// There is no turning point ahead.
     #[error("solution {0} ends at a turning point, and there is none ahead")]
     NoApsis(usize),
@@ -69,6 +73,10 @@ fn orders(burn: &Burn) -> Orders {
     }
 }
 
+fn is_empty(voyage: &Voyage) -> bool {
+    voyage.flight.rocket.left() == 0.0
+}
+
 fn fly_part(attempt: &mut Attempt, number: usize, burn: &Burn) -> Result<(), SolutionError> {
     let start = attempt.voyage().flight.ship.proper_time();
     let end = match burn.until {
@@ -84,6 +92,9 @@ fn fly_part(attempt: &mut Attempt, number: usize, burn: &Burn) -> Result<(), Sol
         let left = end - before.flight.ship.proper_time();
         if left <= ROUNDING * end {
             return match burn.until {
+                Until::Holds(_) if burn.push != Push::Off && is_empty(&before) => {
+                    Err(SolutionError::Empty(number))
+                }
                 Until::Holds(_) => Err(SolutionError::NeverEnds(number)),
                 Until::Passed(_) | Until::Apsis => Ok(()),
             };

@@ -2,9 +2,10 @@
 
 use super::flown::Flown;
 use super::nose::Nose;
-use super::pace::{Engine, own_time_rate};
+use super::pace::{Engine, far_rate, own_time_rate};
 use super::ship_flight::HoldKind;
 use super::stick::Stick;
+use super::track::Track;
 use crate::app::motion::pose::{Pose, pose_of};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::optics::ship::{Hold, Thrust};
@@ -19,6 +20,8 @@ const FIRST_THRUST: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub(super) struct Aboard {
     pub(super) flown: Flown,
+    /// The path so far.
+    pub(super) track: Track,
     /// The flight at the last goal, or at the start.
     pub(super) checkpoint: Flown,
     /// The flight at its start.
@@ -31,6 +34,8 @@ pub(super) struct Aboard {
     pub(super) thrust: f64,
     /// How fast own time passes, as a multiple of the usual pace.
     pub(super) pace: f64,
+    /// Whether the ship comes away so fast that time runs more slowly than the pace says.
+    pub(super) is_far: bool,
     pub(super) hold: Option<Hold>,
     pub(super) nose: Nose,
     first_nose: Nose,
@@ -74,10 +79,12 @@ impl Aboard {
             checkpoint: flown.clone(),
             start: flown.clone(),
             has_ended: false,
+            track: Track::new(flown.ship()),
             flown,
             last: pose_of(scene),
             thrust: FIRST_THRUST,
             pace: 1.0,
+            is_far: false,
             hold: None,
             first_nose: nose,
             nose,
@@ -95,9 +102,10 @@ impl Aboard {
 
     /// Puts an earlier state of the flight in place.
     pub(super) fn return_to(&mut self, flown: Flown) {
+        self.track.cut(flown.ship().proper_time());
         self.flown = flown;
         self.engine_off();
-        (self.pace, self.has_ended) = (1.0, false);
+        (self.pace, self.is_far, self.has_ended) = (1.0, false, false);
     }
 
     pub(super) fn engine_off(&mut self) {
@@ -114,7 +122,14 @@ impl Aboard {
         }
     }
 
+    /// Own time that passes in a second.
     pub(super) fn rate(&self) -> f64 {
+        let rate = self.wanted_rate();
+        far_rate(self.flown.ship()).map_or(rate, |far| rate.min(far))
+    }
+
+    /// The same without the limit far from the hole.
+    pub(super) fn wanted_rate(&self) -> f64 {
         let flight = &self.flown.voyage().flight;
         let r = flight.ship.place().r;
         own_time_rate(r, self.pace, self.engine(), &flight.rocket)

@@ -1,10 +1,13 @@
 //! What the ship flies: freely, or on a mission.
 
-use super::pace::move_on;
+use super::track::Track;
 use glam::DVec3;
 use lightfall_core::geometry::ship::{Ship, ShipError};
 use lightfall_core::optics::ship::{Attempt, Orders, Voyage};
 use lightfall_core::scene::mission::{Comparison, Quantity};
+
+/// An event ends a piece of a voyage before this share of its time.
+const WHOLE: f64 = 0.999_999;
 
 /// A voyage, freely or on a mission.
 #[derive(Clone, Debug)]
@@ -45,11 +48,36 @@ impl Flown {
         }
     }
 
-    pub(super) fn advance(&mut self, time: f64) -> Result<(), ShipError> {
+    /// The ship or, once a mission is decided, where it was then.
+    fn scored_ship(&self) -> &Ship {
         match self {
-            Self::Free(voyage) => move_on(voyage, time),
-            Self::Mission(attempt) => attempt.advance(time).map(drop),
+            Self::Free(voyage) => &voyage.flight.ship,
+            Self::Mission(attempt) => &attempt.scored().flight.ship,
         }
+    }
+
+    /// Lets own time pass, in pieces that a voyage takes, and adds them to the track. What happens in it
+    /// is seen from the ship.
+    pub(super) fn advance(&mut self, time: f64, track: &mut Track) -> Result<(), ShipError> {
+        let mut left = time;
+        while left > 0.0 {
+            let length = left.min(self.voyage().longest_piece());
+            let before = self.ship().proper_time();
+            let is_over = match self {
+                Self::Free(voyage) => voyage.advance(length)?.is_some(),
+                Self::Mission(attempt) => {
+                    attempt.advance(length)?;
+                    let now = attempt.voyage().flight.ship.proper_time();
+                    now - before < WHOLE * length
+                }
+            };
+            track.note(self.scored_ship());
+            if is_over {
+                break;
+            }
+            left -= length;
+        }
+        Ok(())
     }
 
     /// How many goals of a mission are reached.

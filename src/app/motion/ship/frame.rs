@@ -1,7 +1,7 @@
 //! A frame of the ship's flight.
 
 use super::aboard::Aboard;
-use super::pace::{Stop, first_stop};
+use super::pace::{Stop, far_time, first_stop};
 use super::ship_flight::ShipFlight;
 use super::stick::Stick;
 use crate::app::motion::flight_step::FlightStep;
@@ -11,6 +11,9 @@ use glam::DVec3;
 use lightfall_core::geometry::ship::ShipError;
 use lightfall_core::optics::ship::{HoldRefusal, Mount, Orders, Thrust, disk_clock, write_scene};
 use lightfall_core::scene::Scene;
+
+/// The share of a full tank below which the pilot is warned.
+const LITTLE_FUEL: f64 = 0.2;
 
 /// What a frame is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +35,10 @@ pub enum News {
     Refused(HoldRefusal),
     /// Faster time has ended.
     Slowed(Stop),
+    /// The ship comes away so fast that time does not run as fast as it is set.
+    Far,
+    /// Less than a fifth of the tank is left.
+    LittleFuel,
     /// The tank is empty.
     Empty,
 }
@@ -79,25 +86,36 @@ impl Aboard {
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
         self.steer(frame);
         let seconds = if self.has_ended { 0.0 } else { frame.seconds };
-        let wanted = self.rate() * seconds.min(MAX_FRAME_SECONDS);
+        let seconds = seconds.min(MAX_FRAME_SECONDS);
+        let (rate, was_far) = (self.wanted_rate(), self.is_far);
+        let far = far_time(self.flown.voyage(), rate, seconds);
+        if seconds > 0.0 {
+            self.is_far = far.is_some();
+        }
+        let wanted = far.unwrap_or(rate * seconds);
         let stop = (self.pace > 1.0)
             .then(|| first_stop(self.flown.voyage(), wanted, &self.flown.radii()))
             .flatten();
         let time = stop.map_or(wanted, |(time, _)| time);
-        let fuel = self.flown.voyage().flight.rocket.left();
+        let fuel = self.flown.voyage().flight.rocket;
         let before = self.flown.ship().proper_time();
         let goals = self.flown.goals_reached();
-        self.flown.advance(time)?;
+        self.flown.advance(time, &mut self.track)?;
         if self.flown.goals_reached() > goals {
             self.checkpoint = self.flown.clone();
         }
-        let mut news = None;
+        let mut news = (self.is_far && !was_far).then_some(News::Far);
         if let Some((_, stop)) = stop {
             self.pace = 1.0;
             news = Some(News::Slowed(stop));
         }
         let flight = &self.flown.voyage().flight;
-        if fuel > 0.0 && flight.rocket.left() == 0.0 {
+        let left = flight.rocket.left();
+        let little = LITTLE_FUEL * (left + flight.rocket.used());
+        if (little..).contains(&fuel.left()) && left < little {
+            news = Some(News::LittleFuel);
+        }
+        if fuel.left() > 0.0 && left == 0.0 {
             news = Some(News::Empty);
         }
         if let (Some(hold), Thrust::Off) = (self.hold, flight.orders().thrust) {

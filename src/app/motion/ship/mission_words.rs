@@ -5,7 +5,7 @@ use crate::app::state::mission_results::MissionResult;
 use lightfall_core::numbers::{four_digits, three_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Attempt, Outcome};
-use lightfall_core::scene::mission::{Goal, Mission};
+use lightfall_core::scene::mission::{Goal, Mission, Par, Quantity};
 
 /// What the card at the start of a mission says.
 pub(super) fn brief(mission: &Mission, units: Units) -> String {
@@ -19,11 +19,13 @@ pub(super) fn brief(mission: &Mission, units: Units) -> String {
     format!("{} {fuel}\n{goals}", mission.brief)
 }
 
-/// A goal in words.
+/// A goal in words, with the time for which it must be held unless its text says the same.
 fn goal_words(goal: &Goal, units: Units) -> String {
-    match goal.hold {
-        0.0 => goal.text.clone(),
-        hold => format!("{} (for {})", goal.text, units.time(hold, four_digits)),
+    let held = format!("for {}", units.time(goal.hold, four_digits));
+    if goal.hold == 0.0 || goal.text.contains(&held) {
+        goal.text.clone()
+    } else {
+        format!("{} ({held})", goal.text)
     }
 }
 
@@ -102,9 +104,14 @@ fn numbers(mission: &Mission, kept: &MissionResult, units: Units) -> String {
         format!(", home's {}", units.time(far, four_digits))
     });
     let lowest = units.length(kept.lowest, four_digits);
+    // The first par may have said it.
+    let is_par = |par: &Par| par.quantity == Quantity::RapidityUsed;
+    let rapidity = match mission.pars.first().is_some_and(is_par) {
+        true => String::new(),
+        false => format!("rapidity {}, ", four_digits(kept.rapidity_used)),
+    };
     format!(
-        "{par}your clock {own}{far}\nrapidity {}, at most {} g\nlowest point {lowest}, error {:.0e}",
-        four_digits(kept.rapidity_used),
+        "{par}your clock {own}{far}\n{rapidity}at most {} g\nlowest point {lowest}, error {:.0e}",
         three_digits(kept.peak_g),
         kept.error
     )

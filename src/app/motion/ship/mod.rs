@@ -14,6 +14,7 @@ mod pace;
 mod score;
 mod ship_flight;
 mod stick;
+mod track;
 mod words;
 
 pub(super) use commands::advance_ship;
@@ -25,6 +26,7 @@ pub use pace::{Engine, own_time_rate};
 pub use score::{lamps, solution_time};
 pub use ship_flight::{HoldKind, ShipFlight};
 pub use stick::Stick;
+pub use track::Track;
 pub(crate) use words::{heading_words, multiple};
 
 use bevy::prelude::*;

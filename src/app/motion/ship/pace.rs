@@ -1,8 +1,8 @@
 //! How fast the ship's own time passes, and where faster time ends by itself.
 
 use lightfall_core::geometry::bisection::bisection;
-use lightfall_core::geometry::ship::ShipError;
-use lightfall_core::optics::ship::{Apsides, Rocket, Voyage, time_to_apsis};
+use lightfall_core::geometry::ship::Ship;
+use lightfall_core::optics::ship::{Apsides, Flight, Rocket, Voyage, time_to_apsis};
 
 /// Own time that passes in a second, divided by r^(3/2), at the usual pace: that of a fall.
 const USUAL_PACE: f64 = 0.1;
@@ -19,6 +19,15 @@ const NEAR_HORIZON: f64 = 1.2;
 const LEAST_TIME: f64 = 1e-3;
 /// Number of halvings that find when the ship passes a radius.
 const HALVINGS: u32 = 30;
+/// From this radius on, in r_s, a ship that comes away sees nothing new for a long time.
+const FAR: f64 = 100.0;
+/// There its radius grows by no more than this share of itself in a second of the player's time: from r to
+/// r exp(0.5 s) in s seconds.
+const GROWTH: f64 = 0.5;
+/// Most steps of Newton's method, which doubles the digits in each, and the share of the radius at which
+/// it ends.
+const MAX_STEPS: usize = 12;
+const EXACT: f64 = 1e-13;
 
 /// What the engine does, as far as the pace depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +65,68 @@ pub fn own_time_rate(r: f64, pace: f64, engine: Engine, rocket: &Rocket) -> f64 
         }
         _ => rate,
     }
+}
+
+/// dr/dtau of the ship: V/Sigma.
+fn outward_speed(ship: &Ship) -> f64 {
+    ship.constants().radial / ship.place().sigma()
+}
+
+/// Whether the ship moves outward too fast to come back.
+fn comes_away(ship: &Ship) -> bool {
+    let constants = ship.constants();
+    constants.energy >= 1.0 && constants.radial > 0.0
+}
+
+/// The largest own time per second of a ship that comes away, far from the hole. `None` for others.
+pub(super) fn far_rate(ship: &Ship) -> Option<f64> {
+    let r = ship.place().r;
+    (r >= FAR && comes_away(ship)).then(|| GROWTH * r / outward_speed(ship))
+}
+
+/// The own time that passes in a frame of so many seconds at this rate, if the ship comes away and would
+/// be too far from the hole at the frame's end. The radius at that time depends on the sum of the
+/// seconds alone, so it is the same for every length of frames.
+pub(super) fn far_time(voyage: &Voyage, rate: f64, seconds: f64) -> Option<f64> {
+    let wanted = rate * seconds;
+    let r = voyage.flight.ship.place().r;
+    if wanted <= 0.0 {
+        return None;
+    }
+    let near = if r < FAR {
+        passing(voyage, wanted, FAR)?
+    } else {
+        0.0
+    };
+    let mut ahead = voyage.flight;
+    ahead.advance(near).ok()?;
+    if !comes_away(&ahead.ship) {
+        return None;
+    }
+    // The seconds of the frame that are left beyond the radius.
+    let left = seconds - near / rate;
+    let farthest = FAR.max(r) * (GROWTH * left).exp();
+    let time = near + time_to_radius(&ahead, farthest)?;
+    (time < wanted).then_some(time)
+}
+
+/// The own time until a flight that leads outward reaches a radius. `None` if its engine keeps it from
+/// there.
+fn time_to_radius(flight: &Flight, radius: f64) -> Option<f64> {
+    let mut time = 0.0;
+    for _ in 0..MAX_STEPS {
+        let mut ahead = *flight;
+        ahead.advance(time).ok()?;
+        let (missing, speed) = (radius - ahead.ship.place().r, outward_speed(&ahead.ship));
+        if missing.abs() <= EXACT * radius {
+            return Some(time);
+        }
+        if speed <= 0.0 {
+            return None;
+        }
+        time += missing / speed;
+    }
+    Some(time)
 }
 
 /// Where faster time ends.
@@ -108,17 +179,4 @@ fn passing(voyage: &Voyage, time: f64, radius: f64) -> Option<f64> {
     }
     let [_, after] = bisection([0.0, time], HALVINGS, |after| is_above(after) == before);
     Some(after)
-}
-
-/// Lets own time pass, in pieces that a voyage takes. What happens in it is seen from the ship.
-pub(super) fn move_on(voyage: &mut Voyage, time: f64) -> Result<(), ShipError> {
-    let mut left = time;
-    while left > 0.0 {
-        let length = left.min(voyage.longest_piece());
-        if voyage.advance(length)?.is_some() {
-            break;
-        }
-        left -= length;
-    }
-    Ok(())
 }

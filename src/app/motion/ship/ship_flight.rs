@@ -5,6 +5,7 @@ use super::aboard::{Aboard, first_nose, hold_here};
 use super::flown::Flown;
 use super::nose::Nose;
 use super::pace::{Engine, PACE_STEP, SLOWEST};
+use super::track::Track;
 use bevy::prelude::Resource;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::ship::{
@@ -147,6 +148,26 @@ impl ShipFlight {
         self.aboard.as_ref().map_or(0.0, Aboard::rate)
     }
 
+    /// Whether the ship comes away so fast that time runs more slowly than the pace says.
+    #[must_use]
+    pub fn is_far(&self) -> bool {
+        self.aboard.as_ref().is_some_and(|aboard| aboard.is_far)
+    }
+
+    /// The path that was flown so far.
+    #[must_use]
+    pub fn track(&self) -> Option<&Track> {
+        self.aboard.as_ref().map(|aboard| &aboard.track)
+    }
+
+    /// The radii in the conditions of a mission's next goal, in r_s.
+    #[must_use]
+    pub fn goal_radii(&self) -> Vec<f64> {
+        self.aboard
+            .as_ref()
+            .map_or_else(Vec::new, |aboard| aboard.flown.radii())
+    }
+
     /// The time of a turn of the clocks' dials, in r_s/c.
     #[must_use]
     pub fn dial(&self) -> f64 {
@@ -161,9 +182,11 @@ impl ShipFlight {
         }
     }
 
-    /// Doubles the pace this many times; a negative number halves it.
+    /// Doubles the pace this many times; a negative number halves it. Where time runs more slowly than
+    /// the pace says, it is not doubled.
     pub fn change_pace(&mut self, steps: i32) {
         if let Some(aboard) = &mut self.aboard {
+            let steps = if aboard.is_far { steps.min(0) } else { steps };
             let fastest = aboard.engine().fastest();
             let pace = aboard.pace.min(fastest) * PACE_STEP.powi(steps);
             aboard.pace = pace.clamp(SLOWEST, fastest);

@@ -11,6 +11,9 @@ use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Heading, Hold};
 
+/// Why time runs no faster far from the hole.
+const FAR: &str = "You come away: time runs no faster than your distance grows by half in a second";
+
 /// A heading in words.
 pub(crate) fn heading_words(heading: Heading) -> &'static str {
     match heading {
@@ -73,10 +76,11 @@ pub(super) fn boarded(bindings: &Bindings) -> String {
 /// How fast the ship's time passes.
 pub(super) fn pace(ship: &ShipFlight, units: Units) -> String {
     let rate = units.time(ship.rate(), four_digits);
-    format!(
-        "Time: {} × the usual pace, {rate} a second",
-        multiple(ship.pace())
-    )
+    let pace = multiple(ship.pace());
+    if ship.is_far() {
+        return format!("{FAR}, {rate} in it");
+    }
+    format!("Time: {pace} × the usual pace, {rate} a second")
 }
 
 /// A multiple of the usual pace, which is a power of two.
@@ -92,6 +96,8 @@ pub(crate) fn multiple(pace: f64) -> String {
 pub(super) fn news(news: News) -> String {
     match news {
         News::Refused(refusal) => format!("The engine is off: {refusal}"),
+        News::Far => FAR.into(),
+        News::LittleFuel => "Less than a fifth of the tank is left".into(),
         News::Empty => "The tank is empty".into(),
         News::Slowed(Stop::Low) => "The lowest point: time runs as usual".into(),
         News::Slowed(Stop::High) => "The highest point: time runs as usual".into(),
