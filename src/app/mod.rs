@@ -59,7 +59,7 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{
-    Instrument, PathLine, ReadOut, differences, instruments, physics_off, read_outs,
+    Instrument, PathLine, ReadOut, Wanted, differences, instruments, physics_off, read_outs, wanted,
 };
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};

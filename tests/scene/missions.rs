@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 use lightfall::app::{
-    FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, control_named, lamps,
-    solution_time,
+    FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted, control_named,
+    instruments, lamps, solution_time, wanted,
 };
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::mission::{self, MISSIONS, Quantity};
@@ -152,6 +154,81 @@ fn the_path_ahead_begins_at_the_ship_and_passes_its_turning_points() {
     for pair in path.windows(2) {
         assert!((pair[1] - pair[0]).length() < 0.1 * pair[0].length());
     }
+}
+
+/// What the goals show beside each other: what is, and what is wanted.
+fn shown_goals(player: &Player) -> Vec<Wanted> {
+    wanted(player.ship.attempt().unwrap(), Units::Hole)
+}
+
+/// Labels and values of the instruments that the smallest window shows.
+fn needed(player: &Player) -> Vec<(&'static str, String)> {
+    let mass = player.ship.mass().unwrap();
+    let all = instruments(&player.ship, mass, Units::Hole);
+    let needed = all.into_iter().filter(|row| row.is_needed);
+    needed.map(|row| (row.label, row.value)).collect()
+}
+
+#[test]
+fn the_goals_show_each_quantity_with_what_is_wanted_of_it() {
+    let player = Player::begin("graze");
+    let radius = Wanted {
+        label: "radius",
+        value: "20.00 r_s".into(),
+        wanted: "≤ 1.6 r_s, ≥ 1.5 r_s, not < 1.02 r_s".into(),
+        is_met: false,
+    };
+    assert_eq!(shown_goals(&player), [radius]);
+    let rows = shown_goals(&Player::begin("gyroscope"));
+    let [turns, turned] = &rows[..] else {
+        panic!("{rows:?}");
+    };
+    assert_eq!((turns.label, turns.wanted.as_str()), ("turns", "≥ 3"));
+    assert_eq!(turns.value, "0.000");
+    assert_eq!(turned.wanted, "= 0°, not > 0°");
+    assert!(turned.is_met && !turns.is_met);
+}
+
+/// A caption, a hint or a condition that names a quantity leaves no pilot without it, however small the
+/// window is.
+#[test]
+fn what_a_mission_names_is_shown_in_the_smallest_window() {
+    let has = |player: &Player, label: &str| {
+        let rows = needed(player);
+        assert!(
+            rows.iter().any(|row| row.0 == label),
+            "no {label} in {rows:?}"
+        );
+    };
+    let cases: [(&str, &[&str]); 7] = [
+        ("two-burns", &["lowest point", "highest point", "thrust"]),
+        (
+            "graze",
+            &["radius, speed", "rapidity left", "lowest point", "E"],
+        ),
+        ("sample", &["speed in gas", "lowest point"]),
+        ("penrose", &["energy ratio"]),
+        ("longest", &["life inside", "rapidity left"]),
+        ("ten-years", &["home's years", "your years"]),
+        ("gyroscope", &["turns", "ship turned by"]),
+    ];
+    for (name, labels) in cases {
+        let player = Player::begin(name);
+        for label in labels {
+            has(&player, label);
+        }
+    }
+    let mut player = Player::begin("longest");
+    player.until(0.0, |player| player.scene.camera.r < 1.0);
+    has(&player, "life left");
+    // Without a mission, where the ship is and where it goes.
+    let mut free = Player::begin("graze");
+    free.ship
+        .board(&free.scene, HoleMass::of_suns(1e9))
+        .unwrap();
+    let all = instruments(&free.ship, HoleMass::of_suns(1e9), Units::Hole);
+    let count = all.iter().filter(|row| row.is_needed).count();
+    assert_eq!(count, 5, "{all:?}");
 }
 
 /// A name in braces stands for a key.

@@ -13,7 +13,7 @@ use lightfall_core::optics::ship::{HoldRefusal, Mount, Orders, Thrust, disk_cloc
 use lightfall_core::scene::Scene;
 
 /// The share of a full tank below which the pilot is warned.
-const LITTLE_FUEL: f64 = 0.2;
+pub(crate) const LITTLE_FUEL: f64 = 0.2;
 
 /// What a frame is given.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,6 +19,7 @@ mod words;
 
 pub(super) use commands::advance_ship;
 pub use flown::Flown;
+pub(crate) use frame::LITTLE_FUEL;
 pub use frame::{News, ShipFrame};
 pub(crate) use mission_play::MissionPlay;
 pub use nose::Nose;

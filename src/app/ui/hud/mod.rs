@@ -22,7 +22,7 @@ mod toast;
 pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
-pub use ship::{Instrument, PathLine, instruments};
+pub use ship::{Instrument, PathLine, Wanted, instruments, wanted};
 
 use crate::app::ui::layout::Importance;
 use bevy::prelude::*;
@@ -36,15 +36,13 @@ pub(crate) fn plugin(app: &mut App) {
                 journey::show_journey.in_set(Importance::Words),
                 stop::show_stop.in_set(Importance::Cards),
                 ship::show_question.in_set(Importance::Cards),
-                ship::show_mission.in_set(Importance::Words),
+                (ship::show_mission, ship::show_instruments)
+                    .chain()
+                    .in_set(Importance::Words),
                 toast::show_toast.in_set(Importance::Message),
                 physics_off::show_physics_off.in_set(Importance::Warning),
                 comparison::show_comparison.in_set(Importance::Sides),
-                (
-                    read_outs::show_read_outs,
-                    ship::show_instruments,
-                    ship::show_map,
-                )
+                (read_outs::show_read_outs, ship::show_map)
                     .chain()
                     .in_set(Importance::ReadOuts),
                 (ship::show_markers, ship::show_path)

@@ -4,7 +4,7 @@ use super::dial::draw_dial;
 use super::values::{Instrument, instruments};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT};
+use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT, WARNING};
 use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::Screen;
 use crate::app::ui::theme::ACCENT;
@@ -51,14 +51,21 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let ratio = clocks.far_rate.map(|rate| format!("× {rate:.4}"));
     let clocks = dials(&clocks, ship.dial(), units);
     let all = instruments(&ship, mass, units);
-    let main: Vec<Instrument> = all.iter().filter(|it| !it.is_minor).cloned().collect();
-    let corner = layout.at(Align2::LEFT_BOTTOM, Slide::Nowhere);
-    let anywhere = layout.at(Align2::LEFT_BOTTOM, Slide::Anywhere);
+    let rows = |is_shown: fn(&Instrument) -> bool| -> Vec<Instrument> {
+        all.iter().filter(|row| is_shown(row)).cloned().collect()
+    };
+    let main = rows(|row| !row.is_minor || row.is_needed);
+    let needed = rows(|row| row.is_needed);
+    // They stay in their corner, over the hole rather than elsewhere.
+    let wish = |slide| layout.at(Align2::LEFT_BOTTOM, slide);
+    let corner = wish(Slide::Nowhere);
     let tries = [
-        (corner, &all[..]),
+        (corner, &all),
         (corner, &main),
-        (anywhere, &main),
-        (anywhere, &main[..main.len().min(3)]),
+        (corner.even_over_hole(), &main),
+        (corner.even_over_hole(), &needed),
+        (wish(Slide::Upright).even_over_hole(), &needed),
+        (wish(Slide::Anywhere).even_over_hole(), &needed),
     ];
     for (wish, shown) in tries {
         if paint((context, layout), wish, (&clocks, ratio.as_deref()), shown) {
@@ -112,9 +119,14 @@ fn paint(
         let label = board.text(instrument.label, TEXT, QUIET, f32::INFINITY);
         let height = label.size().y;
         board.put(vec2(0.0, top), label);
+        let colour = if instrument.is_warning {
+            WARNING
+        } else {
+            BRIGHT
+        };
         board.put(
             vec2(LABELS, top),
-            board.text(&instrument.value, TEXT, BRIGHT, f32::INFINITY),
+            board.text(&instrument.value, TEXT, colour, f32::INFINITY),
         );
         top += height + GAP;
     }

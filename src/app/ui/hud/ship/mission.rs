@@ -1,5 +1,6 @@
-//! Shows a mission under way: its goals in the upper left corner, and its captions at the bottom.
+//! Shows a mission under way: its goals in the upper left corner, and its captions at the top.
 
+use super::quantities::{Wanted, wanted};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::table::control_named;
 use crate::app::motion::ship::{MissionPlay, ShipFlight};
@@ -9,7 +10,7 @@ use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT, WARNING};
 use crate::app::ui::layout::{Layout, Slide};
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::egui::{self, Align2};
+use bevy_egui::egui::{self, Align2, Color32};
 use lightfall_core::numbers::{four_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Attempt, Outcome};
@@ -17,10 +18,10 @@ use lightfall_core::optics::ship::{Attempt, Outcome};
 /// Size of captions, in points.
 const CAPTION: f32 = 18.0;
 /// Largest width of captions and of goals, in points.
-const MAX_CAPTION: f32 = 620.0;
+const MAX_CAPTION: f32 = 460.0;
 const MAX_GOALS: f32 = 430.0;
-/// Room for the message below a caption, in points.
-const TOAST: f32 = 44.0;
+/// Colour of a quantity that is what the goal wants.
+const MET: Color32 = Color32::from_rgb(130, 220, 160);
 
 pub(in crate::app::ui::hud) fn show_mission(
     mut screen: Screen,
@@ -35,18 +36,33 @@ pub(in crate::app::ui::hud) fn show_mission(
     let Some((context, layout)) = screen.texts() else {
         return;
     };
-    show_goals(context, layout, attempt, preferences.settings.units());
+    let units = preferences.settings.units();
+    let rows = wanted(attempt, units);
+    // Without their values the goals take less room.
+    for rows in [&rows[..], &[]] {
+        if show_goals((context, layout), attempt, rows, units) {
+            break;
+        }
+    }
     let captions = &attempt.mission.captions;
     let caption = play.caption().and_then(|index| captions.get(index));
     if let Some(caption) = caption.filter(|_| !end_card.is_open()) {
         let words = with_keys(&caption.text, &bindings);
         let board = Board::new(context, "caption", 1.0);
-        let wish = layout.above_read_outs(TOAST);
+        // The instruments and the message have the lower edge.
+        let wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
+        let wish = wish.even_over_hole();
         board.paint_text(layout, wish, (&words, CAPTION, BRIGHT), MAX_CAPTION);
     }
 }
 
-fn show_goals(context: &egui::Context, layout: &mut Layout, attempt: &Attempt, units: Units) {
+/// Shows the goals and, below the next one, its quantities. Returns whether there is room.
+fn show_goals(
+    (context, layout): (&egui::Context, &mut Layout),
+    attempt: &Attempt,
+    rows: &[Wanted],
+    units: Units,
+) -> bool {
     let mission = &attempt.mission;
     let mut board = Board::new(context, "mission", 1.0);
     let width = MAX_GOALS.min(layout.bounds().width());
@@ -69,8 +85,14 @@ fn show_goals(context: &egui::Context, layout: &mut Layout, attempt: &Attempt, u
         let colour = if is_next { BRIGHT } else { QUIET };
         let words = format!("{sign} {}{held}", goal.text);
         board.add_line(board.text(&words, TEXT, colour, width), 3.0);
+        for row in rows.iter().filter(|_| is_next) {
+            let words = format!("     {}  {}  ({})", row.label, row.value, row.wanted);
+            let colour = if row.is_met { MET } else { BRIGHT };
+            board.add_line(board.text(&words, TEXT, colour, width), 2.0);
+        }
     }
-    board.paint(layout, layout.at(Align2::LEFT_TOP, Slide::Upright));
+    let wish = layout.at(Align2::LEFT_TOP, Slide::Upright);
+    board.paint(layout, wish).is_some()
 }
 
 /// A text in which the name of a control in braces, such as `{fly.forward}`, stands for its key.

@@ -6,6 +6,7 @@ mod map;
 mod markers;
 mod mission;
 mod path_line;
+mod quantities;
 mod question;
 mod values;
 
@@ -15,5 +16,6 @@ pub(super) use markers::show_markers;
 pub(super) use mission::show_mission;
 pub use path_line::PathLine;
 pub(super) use path_line::{path_plugin, show_path};
+pub use quantities::{Wanted, wanted};
 pub(super) use question::show_question;
 pub use values::{Instrument, instruments};

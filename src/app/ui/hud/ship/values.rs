@@ -1,15 +1,17 @@
 //! The values of the ship's instruments, in words.
 
-use crate::app::motion::ship::{ShipFlight, heading_words, multiple};
+use super::quantities::{label, named, present, said_by};
+use crate::app::motion::ship::{LITTLE_FUEL, ShipFlight, heading_words, multiple};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, ratio, three_digits};
 use lightfall_core::optics::readout::held_acceleration;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{
-    Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
+    Apsides, Attempt, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
 };
 use lightfall_core::scene::ObserverKind;
+use lightfall_core::scene::mission::Quantity;
 
 /// An instrument: what it shows, and the value.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,10 @@ pub struct Instrument {
     pub value: String,
     /// Whether a narrow window leaves it out.
     pub is_minor: bool,
+    /// Whether the smallest window shows it, too: the mission names it.
+    pub is_needed: bool,
+    /// Whether its value is a warning.
+    pub is_warning: bool,
 }
 
 impl Instrument {
@@ -28,6 +34,8 @@ impl Instrument {
             label,
             value,
             is_minor: false,
+            is_needed: false,
+            is_warning: false,
         }
     }
 
@@ -72,7 +80,89 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
         };
         all.push(Instrument::minor("error of the flight", error));
     }
+    if let Some(attempt) = flown.attempt() {
+        add_named(&mut all, attempt, units);
+    }
+    note_needed(&mut all, flown.attempt());
     all
+}
+
+/// Instruments that show a quantity of a mission, by their labels. The clocks are dials.
+fn shown_by(quantity: Quantity) -> Option<&'static str> {
+    Some(match quantity {
+        Quantity::R | Quantity::Speed => "radius, speed",
+        Quantity::RapidityUsed => "rapidity left",
+        Quantity::Thrust | Quantity::GLoad => "thrust",
+        Quantity::Periapsis => "lowest point",
+        Quantity::Apoapsis => "highest point",
+        Quantity::Tide => "tide",
+        Quantity::Tau | Quantity::T | Quantity::Rate => "",
+        _ => return None,
+    })
+}
+
+/// Adds the quantities that the mission names and that no other instrument shows.
+fn add_named(all: &mut Vec<Instrument>, attempt: &Attempt, units: Units) {
+    let others = named(&attempt.mission)
+        .into_iter()
+        .filter(|quantity| shown_by(*quantity).is_none());
+    let rows = others.map(|quantity| Instrument {
+        is_needed: true,
+        ..Instrument::new(label(quantity), present(attempt, quantity, units))
+    });
+    // Before those that a narrow window leaves out.
+    let end = all.iter().position(|row| row.is_minor);
+    let end = end.unwrap_or(all.len());
+    drop(all.splice(end..end, rows));
+}
+
+/// By which words a text for players names an instrument.
+const NAMED_BY: [(&str, &[&str]); 9] = [
+    ("rapidity left", &["rapidity", "fuel", "tank"]),
+    ("thrust", &["thrust", "engine"]),
+    ("lowest point", &["lowest point"]),
+    ("highest point", &["highest point"]),
+    ("life left", &["life left"]),
+    ("nose", &["nose"]),
+    ("held", &["hold"]),
+    ("to stand still", &["stand still"]),
+    ("tide", &["tide"]),
+];
+
+/// What a ship without a mission needs: where it is, its fuel, and its path.
+const NEEDED: [&str; 6] = [
+    "radius, speed",
+    "rapidity left",
+    "thrust",
+    "lowest point",
+    "highest point",
+    "life left",
+];
+
+/// Notes which instruments the smallest window shows: those that the mission names in a condition or in a
+/// text, and the radius.
+fn note_needed(all: &mut [Instrument], attempt: Option<&Attempt>) {
+    let Some(attempt) = attempt else {
+        for row in all {
+            row.is_needed = NEEDED.contains(&row.label);
+        }
+        return;
+    };
+    let mission = &attempt.mission;
+    let compared = named(mission).into_iter().filter_map(shown_by);
+    let mut labels: Vec<&str> = compared.chain(["radius, speed"]).collect();
+    let texts: Vec<String> = said_by(mission).map(str::to_lowercase).collect();
+    let said = NAMED_BY
+        .into_iter()
+        .filter(|(_, words)| {
+            let is_in = |text: &String| words.iter().any(|word| text.contains(word));
+            texts.iter().any(is_in)
+        })
+        .map(|(label, _)| label);
+    labels.extend(said);
+    for row in all {
+        row.is_needed |= labels.contains(&row.label);
+    }
 }
 
 /// The radius, and the speed relative to the observer with zero angular momentum.
@@ -90,7 +180,10 @@ fn fuel(flight: &Flight) -> Instrument {
     let tank = rocket.left() + rocket.used();
     let left = format!("{:.4} of {}", rocket.left(), four_digits(tank));
     let mass = format!("{:.0} % of the mass", 100.0 * rocket.mass());
-    Instrument::new("rapidity left", format!("{left} · {mass}"))
+    Instrument {
+        is_warning: rocket.left() < LITTLE_FUEL * tank,
+        ..Instrument::new("rapidity left", format!("{left} · {mass}"))
+    }
 }
 
 /// An acceleration in c^2/r_s, and in g.
