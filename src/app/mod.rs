@@ -59,7 +59,8 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{
-    Instrument, PathLine, ReadOut, Wanted, differences, instruments, physics_off, read_outs, wanted,
+    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width, physics_off,
+    read_outs, wanted,
 };
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};

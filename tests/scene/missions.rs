@@ -3,7 +3,7 @@
 use glam::DVec3;
 use lightfall::app::{
     FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted, control_named,
-    instruments, lamps, solution_time, wanted,
+    instruments, lamps, map_half_width, solution_time, wanted,
 };
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
@@ -153,6 +153,25 @@ fn the_path_ahead_begins_at_the_ship_and_passes_its_turning_points() {
     // Two turns and not a jump between two points.
     for pair in path.windows(2) {
         assert!((pair[1] - pair[0]).length() < 0.1 * pair[0].length());
+    }
+}
+
+/// The view from the side is 0.55 as high as it is wide.
+#[test]
+fn the_map_shows_the_whole_horizon_and_the_whole_path_from_above_and_from_the_side() {
+    for places in [
+        vec![],
+        vec![DVec3::new(1.02, 0.0, 0.0)],
+        vec![DVec3::new(0.0, 0.0, 3.0)],
+        vec![DVec3::new(20.0, 5.0, -1.0), DVec3::new(0.0, 2.0, 0.5)],
+    ] {
+        let half_width = map_half_width(1.0, places.iter());
+        let half_height = 0.55 * half_width;
+        assert!(half_height > 1.0, "{places:?}");
+        for place in &places {
+            assert!(place.length() < half_width, "{places:?}");
+            assert!(place.z.abs() < half_height, "{places:?}");
+        }
     }
 }
 

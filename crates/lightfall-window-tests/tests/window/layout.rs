@@ -67,6 +67,7 @@ fn assert_laid_out(state: &State, scale: f32, free: [f32; 2], what: &str) {
                 "journey",
                 "caption",
                 "instruments",
+                "map",
             ]
             .contains(&&**name);
             assert!(

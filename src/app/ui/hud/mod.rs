@@ -22,7 +22,7 @@ mod toast;
 pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
-pub use ship::{Instrument, PathLine, Wanted, instruments, wanted};
+pub use ship::{Instrument, PathLine, Wanted, instruments, map_half_width, wanted};
 
 use crate::app::ui::layout::Importance;
 use bevy::prelude::*;

@@ -3,6 +3,7 @@
 mod dial;
 mod instruments;
 mod map;
+mod map_view;
 mod markers;
 mod mission;
 mod path_line;
@@ -12,6 +13,7 @@ mod values;
 
 pub(super) use instruments::show_instruments;
 pub(super) use map::show_map;
+pub use map_view::map_half_width;
 pub(super) use markers::show_markers;
 pub(super) use mission::show_mission;
 pub use path_line::PathLine;
