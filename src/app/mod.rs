@@ -49,6 +49,7 @@ pub use state::disk_clock::DiskClock;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry, MenuList};
 pub use state::mission_results::{MissionResult, MissionResults};
+pub use state::missions::next_not_reached;
 pub use state::preferences::Preferences;
 pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use lightfall::app::{
     FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted, control_named,
-    instruments, lamps, map_half_width, solution_time, wanted,
+    instruments, lamps, map_half_width, next_not_reached, solution_time, wanted,
 };
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
@@ -309,6 +309,28 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     let read = MissionResults::load(Some(file));
     assert_eq!(read.best("graze"), Some(&rows[3]));
     assert_eq!(read.best("penrose"), None);
+    // More lamps, then less rapidity; and a failure is no better than anything.
+    assert!(rows[2].is_better_than(&rows[1]) && rows[3].is_better_than(&rows[2]));
+    assert!(!rows[3].is_better_than(&rows[3]) && !rows[0].is_better_than(&rows[1]));
+}
+
+#[test]
+fn the_next_mission_is_the_first_one_after_this_that_was_not_reached_or_one_before_it() {
+    let list: Vec<_> = MISSIONS
+        .iter()
+        .map(|(name, text)| mission::load(name, text).unwrap())
+        .collect();
+    let next = |name: &str, reached: &[&str]| {
+        let next = next_not_reached(&list, name, |name| reached.contains(&name));
+        next.map(|mission| mission.name.clone())
+    };
+    assert_eq!(next("two-burns", &[]).as_deref(), Some("weight"));
+    assert_eq!(next("two-burns", &["weight"]).as_deref(), Some("gyroscope"));
+    assert_eq!(next("longest", &["two-burns"]).as_deref(), Some("weight"));
+    // A mission of one's own is in no list.
+    assert_eq!(next("mine", &[]).as_deref(), Some("two-burns"));
+    let others: Vec<&str> = MISSIONS.iter().map(|(name, _)| *name).skip(1).collect();
+    assert_eq!(next("two-burns", &others), None);
 }
 
 #[test]

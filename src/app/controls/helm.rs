@@ -22,10 +22,17 @@ pub enum ShipCommand {
     Checkpoint,
     /// Begin the mission again.
     Again,
+    /// Begin the next mission that is not yet reached.
+    NextMission,
 }
 
-/// What a command asks of the ship at its controls. `None` if it is not for the ship.
-pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<ShipCommand> {
+/// What a command asks of the ship at its controls, on a mission or after its end. `None` if it is not for
+/// the ship.
+pub(crate) fn ship_command(
+    command: AppCommand,
+    on_mission: bool,
+    is_over: bool,
+) -> Option<ShipCommand> {
     Some(match command {
         AppCommand::LetGo => ShipCommand::EngineOff,
         AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
@@ -35,6 +42,7 @@ pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<Ship
         AppCommand::SlowerTime => ShipCommand::Slower,
         AppCommand::Undo if on_mission => ShipCommand::Checkpoint,
         AppCommand::RestartJourney if on_mission => ShipCommand::Again,
+        AppCommand::Journey if is_over => ShipCommand::NextMission,
         _ => return None,
     })
 }

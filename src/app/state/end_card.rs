@@ -5,11 +5,22 @@ use bevy::prelude::*;
 /// A control to name on the card: its name in the table, and what it does now.
 pub(crate) type Way = (&'static str, &'static str);
 
+/// A lamp on the card: what it is for, and what it needed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Lamp {
+    pub(crate) name: &'static str,
+    pub(crate) is_lit: bool,
+    pub(crate) needed: String,
+}
+
 /// What the card says. Empty while there is no card.
 #[derive(Resource, Default)]
 pub(crate) struct EndCard {
     pub(crate) title: String,
     pub(crate) text: String,
+    pub(crate) lamps: Vec<Lamp>,
+    /// What it says below the lamps.
+    pub(crate) details: String,
     /// What can be done now, the nearest at hand first.
     pub(crate) ways: Vec<Way>,
 }
@@ -28,6 +39,7 @@ impl EndCard {
             title: title.into(),
             text: text.into(),
             ways: std::iter::once(first).chain(others).chain(last).collect(),
+            ..Self::default()
         };
     }
 
@@ -37,6 +49,7 @@ impl EndCard {
             title: title.into(),
             text: text.into(),
             ways,
+            ..Self::default()
         }
     }
 

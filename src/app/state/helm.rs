@@ -15,6 +15,8 @@ pub enum Helm {
     Ship,
     /// The ship, on a mission.
     Mission,
+    /// The ship, after the end of a mission.
+    MissionOver,
 }
 
 impl Helm {
@@ -46,8 +48,9 @@ pub(crate) struct CommandSender<'w> {
 impl CommandSender<'_> {
     pub(crate) fn send(&mut self, command: AppCommand) {
         let for_ship = self.helm.has_ship();
-        let on_mission = *self.helm == Helm::Mission;
-        match ship_command(command, on_mission).filter(|_| for_ship) {
+        let is_over = *self.helm == Helm::MissionOver;
+        let on_mission = is_over || *self.helm == Helm::Mission;
+        match ship_command(command, on_mission, is_over).filter(|_| for_ship) {
             Some(command) => drop(self.ship.write(command)),
             None => drop(self.app.write(command)),
         }

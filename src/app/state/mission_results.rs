@@ -3,6 +3,7 @@
 
 use lightfall_core::scene::mission::Quantity;
 use lightfall_platform::storage::{self, TextError};
+use std::cmp::Ordering;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -71,6 +72,19 @@ impl MissionResult {
         .join(",")
     }
 
+    /// Whether it is better than another one of the same mission, whose goals were reached: it has more
+    /// lamps, or as many with less rapidity.
+    #[must_use]
+    pub fn is_better_than(&self, other: &Self) -> bool {
+        self.reached && self.rank(other) == Ordering::Less
+    }
+
+    /// The order of results whose goals were reached, the better one first.
+    fn rank(&self, other: &Self) -> Ordering {
+        let lamps = other.lamps.cmp(&self.lamps);
+        lamps.then(self.rapidity_used.total_cmp(&other.rapidity_used))
+    }
+
     /// The result of a row. `None` if it is not one.
     #[must_use]
     pub fn read(row: &str) -> Option<Self> {
@@ -135,10 +149,7 @@ impl MissionResults {
             .rows
             .iter()
             .filter(|row| row.mission == mission && row.reached);
-        of_it.min_by(|a, b| {
-            let lamps = b.lamps.cmp(&a.lamps);
-            lamps.then(a.rapidity_used.total_cmp(&b.rapidity_used))
-        })
+        of_it.min_by(|a, b| a.rank(b))
     }
 
     /// Adds a result, also to the file.

@@ -72,6 +72,12 @@ impl AskedQuestion {
 pub(crate) struct StartMission(pub(crate) Box<Mission>);
 
 impl Missions {
+    /// The next mission of the list after the one with this name that was not yet reached, or the first
+    /// such one of those before it.
+    pub(crate) fn next_after(&self, name: &str) -> Option<&Mission> {
+        next_not_reached(&self.list, name, |name| self.results.best(name).is_some())
+    }
+
     /// Reads the missions and the results. Returns what is wrong with the user's own ones.
     pub(crate) fn read(&mut self) -> Vec<String> {
         let built_in = MISSIONS
@@ -91,6 +97,20 @@ impl Missions {
         self.results = MissionResults::load(mission_results_file());
         faults
     }
+}
+
+/// The first mission, of those after the one with this name and then of those before it, that was not
+/// reached.
+#[must_use]
+pub fn next_not_reached<'a>(
+    list: &'a [Mission],
+    name: &str,
+    is_reached: impl Fn(&str) -> bool,
+) -> Option<&'a Mission> {
+    let here = list.iter().position(|mission| mission.name == name);
+    let (before, after) = list.split_at(here.map_or(0, |here| here + 1));
+    let mut others = after.iter().chain(before);
+    others.find(|mission| mission.name != name && !is_reached(&mission.name))
 }
 
 pub(crate) fn plugin(app: &mut App) {

@@ -1,7 +1,7 @@
 //! Draws the end card beside the hole.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::state::end_card::EndCard;
+use crate::app::state::end_card::{EndCard, Lamp};
 use crate::app::ui::layout::{Importance, Slide};
 use crate::app::ui::screen::{Screen, show_placed, text_box};
 use bevy::prelude::*;
@@ -14,6 +14,12 @@ const KEY: egui::Color32 = egui::Color32::from_rgb(255, 205, 120);
 /// Colours of the other words.
 const WHITE: egui::Color32 = egui::Color32::from_gray(240);
 const GREY: egui::Color32 = egui::Color32::from_gray(215);
+/// Colours of the lamps that are lit: goals, par, time.
+const LIT: [egui::Color32; 3] = [
+    egui::Color32::from_rgb(90, 225, 120),
+    egui::Color32::from_rgb(255, 200, 60),
+    egui::Color32::from_rgb(110, 190, 255),
+];
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -40,7 +46,11 @@ fn show_end_card(
                 .join(" to "),
             _ => bindings.label(id),
         };
-        let buttons = pad_bindings.label(id);
+        let buttons = match id {
+            // At the ship's controls this button holds the orbit.
+            "journey.fly" => String::new(),
+            _ => pad_bindings.label(id),
+        };
         match (pads.is_empty() || buttons.is_empty(), keys.is_empty()) {
             (true, _) => keys,
             (false, true) => buttons,
@@ -71,6 +81,23 @@ fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
     egui::RichText::new(text).size(size).color(colour)
 }
 
+/// Shows the lamps, each with its name and what it needed.
+fn show_lamps(ui: &mut egui::Ui, lamps: &[Lamp], size: f32) {
+    for (lamp, lit) in lamps.iter().zip(LIT) {
+        let (sign, colour) = if lamp.is_lit {
+            ("●", lit)
+        } else {
+            ("○", GREY)
+        };
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.label(words(sign, 1.3 * size, colour));
+            ui.label(words(lamp.name, size, WHITE).strong());
+            ui.label(words(&lamp.needed, 0.9 * size, GREY));
+        });
+    }
+}
+
 /// Shows the card as a column beside the hole.
 fn show_upright(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: f32) {
     ui.set_max_width(width);
@@ -80,6 +107,11 @@ fn show_upright(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], widt
         if !card.text.is_empty() {
             ui.label(words(&card.text, 15.0, GREY));
             ui.add_space(6.0);
+        }
+        show_lamps(ui, &card.lamps, 15.0);
+        if !card.details.is_empty() {
+            ui.add_space(6.0);
+            ui.label(words(&card.details, 14.0, GREY));
         }
         ui.add_space(6.0);
         egui::Grid::new("ways")
@@ -103,6 +135,10 @@ fn show_flat(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: 
         ui.label(words(&card.title, 14.0, WHITE));
         if !card.text.is_empty() {
             ui.label(words(&card.text, 12.0, GREY));
+        }
+        show_lamps(ui, &card.lamps, 12.0);
+        if !card.details.is_empty() {
+            ui.label(words(&card.details, 12.0, GREY));
         }
         ui.horizontal_wrapped(|ui| {
             for (inputs, does) in ways {

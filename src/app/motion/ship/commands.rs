@@ -14,14 +14,14 @@ use crate::app::motion::hand::HandInputs;
 use crate::app::motion::pilot::Pilot;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::helm::Helm;
-use crate::app::state::missions::AskedQuestion;
+use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::numbers::with_short_numbers;
-use lightfall_core::optics::ship::BoardError;
+use lightfall_core::optics::ship::{Attempt, BoardError, Outcome};
 
 /// Takes the controls and leaves them by their key. A journey takes them away.
 pub(super) fn take_controls(
@@ -64,9 +64,14 @@ fn set_helm(ship: &ShipFlight, helm: &mut ResMut<Helm>) {
     let flies = match (ship.is_flown(), ship.attempt()) {
         (false, _) => Helm::Camera,
         (true, None) => Helm::Ship,
+        (true, Some(attempt)) if is_over(attempt) => Helm::MissionOver,
         (true, Some(_)) => Helm::Mission,
     };
     helm.set_if_neq(flies);
+}
+
+fn is_over(attempt: &Attempt) -> bool {
+    !matches!(attempt.outcome(), Outcome::UnderWay(_))
 }
 
 /// Does what the keys ask of the ship.
@@ -74,6 +79,7 @@ pub(super) fn apply_ship_commands(
     mut commands: MessageReader<ShipCommand>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
+    (missions, mut starts): (Res<Missions>, MessageWriter<StartMission>),
     preferences: Res<Preferences>,
     mut editor: SceneEditor,
 ) {
@@ -117,6 +123,15 @@ pub(super) fn apply_ship_commands(
                 ship.begin_again();
                 play.begin_again();
                 editor.say("The mission from its start");
+            }
+            // The result is kept first.
+            ShipCommand::NextMission if !play.is_told() => {}
+            ShipCommand::NextMission => {
+                let name = ship.attempt().map(|attempt| attempt.mission.name.as_str());
+                match name.and_then(|name| missions.next_after(name)) {
+                    Some(next) => drop(starts.write(StartMission(Box::new(next.clone())))),
+                    None => editor.say("Every mission of the list is reached"),
+                }
             }
         }
     }

@@ -40,6 +40,11 @@ impl MissionPlay {
         self.caption.map(|(index, _)| index)
     }
 
+    /// Whether the end of the attempt was told, and its result kept.
+    pub(super) fn is_told(&self) -> bool {
+        self.told
+    }
+
     /// Begins another attempt.
     pub(super) fn begin_again(&mut self) {
         *self = Self {
@@ -157,11 +162,20 @@ pub(super) fn watch_mission(
     let hint = (!has_succeeded)
         .then(|| due_hint(&attempt.mission.hints, play.failed))
         .flatten();
-    let [title, text] = words::end(attempt, &kept, lit, hint, units);
+    let best = missions.results.best(&kept.mission).cloned();
     if let Err(fault) = missions.results.add(kept.clone()) {
         editor.say(fault);
     }
-    let card = EndCard::new(&title, &text, words::ways_on(has_succeeded));
+    let end = words::End {
+        attempt,
+        kept: &kept,
+        best: best.as_ref(),
+        lit,
+        solution_time,
+        hint,
+        has_next: missions.next_after(&kept.mission).is_some(),
+    };
+    let card = words::end(&end, units);
     let question = attempt.mission.questions.first();
     match question.filter(|_| has_succeeded) {
         Some(question) => asked.ask(question.clone(), kept, card),

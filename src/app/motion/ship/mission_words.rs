@@ -1,11 +1,12 @@
 //! What the window says of a mission.
 
-use crate::app::state::end_card::Way;
+use super::score::{par_limit, time_limit};
+use crate::app::state::end_card::{EndCard, Lamp, Way};
 use crate::app::state::mission_results::MissionResult;
-use lightfall_core::numbers::{four_digits, three_digits};
+use lightfall_core::numbers::{counted, four_digits, three_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Attempt, Outcome};
-use lightfall_core::scene::mission::{Goal, Mission, Par, Quantity};
+use lightfall_core::scene::mission::{Better, Goal, Mission, Par, Quantity};
 
 /// What the card at the start of a mission says.
 pub(super) fn brief(mission: &Mission, units: Units) -> String {
@@ -46,72 +47,131 @@ pub(super) fn first_keys(mission: &Mission) -> Vec<Way> {
     ]
 }
 
-/// The keys that the card at the end names.
-pub(super) fn ways_on(has_succeeded: bool) -> Vec<Way> {
-    let mut ways = vec![
-        ("journey.again", "fly it again"),
-        ("scene.undo", "back to the last goal, or the start"),
-        ("ship.missions", "other missions"),
-        ("ship.fly", "leave the ship"),
-    ];
-    if has_succeeded {
-        ways.swap(0, 2);
-    }
+/// The keys that the card at the end names. `has_next` tells whether a mission is left that was not
+/// reached.
+fn ways_on(has_succeeded: bool, has_next: bool) -> Vec<Way> {
+    let next = ("journey.fly", "next mission");
+    let again = ("journey.again", "fly it again");
+    let back = ("scene.undo", "back to the last goal, or the start");
+    let others = ("ship.missions", "other missions");
+    let leave = ("ship.fly", "leave the ship");
+    let mut ways = match has_succeeded {
+        true => vec![next, others, back, again, leave],
+        false => vec![again, back, next, others, leave],
+    };
+    ways.retain(|way| has_next || *way != next);
     ways
 }
 
-/// The title and the text of the card at the end.
-pub(super) fn end(
-    attempt: &Attempt,
-    kept: &MissionResult,
-    [goals, par, time]: [bool; 3],
-    hint: Option<&str>,
-    units: Units,
-) -> [String; 2] {
-    let mission = &attempt.mission;
-    let ending = match attempt.outcome() {
+/// What the card at the end of an attempt needs to know.
+pub(super) struct End<'a> {
+    pub(super) attempt: &'a Attempt,
+    pub(super) kept: &'a MissionResult,
+    /// The best result before this one.
+    pub(super) best: Option<&'a MissionResult>,
+    pub(super) lit: [bool; 3],
+    pub(super) solution_time: Option<f64>,
+    pub(super) hint: Option<&'a str>,
+    pub(super) has_next: bool,
+}
+
+/// The card at the end.
+pub(super) fn end(end: &End, units: Units) -> EndCard {
+    let mission = &end.attempt.mission;
+    let ending = match end.attempt.outcome() {
         Outcome::Success => &mission.ending.success,
         Outcome::Failed(index) => &mission.fails[index].text,
         Outcome::Ended(_) | Outcome::UnderWay(_) => &mission.ending.failure,
     };
-    let hint = hint.map_or_else(String::new, |hint| format!("\n\nHint: {hint}"));
-    let title = if goals { "Reached" } else { "Not reached" };
-    let lamp = |lit: bool| if lit { "●" } else { "○" };
-    let lamps = format!(
-        "{} goals   {} par   {} time",
-        lamp(goals),
-        lamp(par),
-        lamp(time)
-    );
-    let numbers = numbers(mission, kept, units);
-    [
-        format!("{title}: {}", mission.title),
-        format!("{ending}\n\n{lamps}\n{numbers}{hint}"),
-    ]
+    let [reached, ..] = end.lit;
+    let title = if reached { "Reached" } else { "Not reached" };
+    let hint = end
+        .hint
+        .map_or_else(String::new, |hint| format!("\n\nHint: {hint}"));
+    let numbers = numbers(mission, end.kept, units);
+    let record = record(end.kept, end.best);
+    EndCard {
+        lamps: lamps_shown(end, units),
+        details: format!("{numbers}{record}{hint}"),
+        ..EndCard::new(
+            &format!("{title}: {}", mission.title),
+            ending,
+            ways_on(reached, end.has_next),
+        )
+    }
 }
 
-/// The numbers of an attempt, in lines.
-fn numbers(mission: &Mission, kept: &MissionResult, units: Units) -> String {
-    let par = mission.pars.first().map_or_else(String::new, |par| {
-        let value = kept
+/// The three lamps, and what each needed.
+fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
+    let mission = &end.attempt.mission;
+    let goals = counted(mission.goals.len(), "goal");
+    let reached = format!("{} of {goals}", end.attempt.reached().len());
+    let par = mission.pars.first().map(|par| {
+        let value = end
+            .kept
             .par
             .map_or_else(|| "none".into(), |(_, value)| four_digits(value));
         let name = par.quantity.word().replace('_', " ");
-        format!("{name} {value}, par {}\n", four_digits(par.value))
+        let side = match par.better {
+            Better::Less => "at most",
+            Better::More => "at least",
+        };
+        let limit = four_digits(par_limit(par));
+        format!("{name} {value}, needed {side} {limit}")
     });
+    let time = end.solution_time.map(|time| {
+        let limit = units.time(time_limit(time), four_digits);
+        format!("needed at most {limit} on your clock")
+    });
+    let with_goals = || "as the goals".to_owned();
+    let needed = [
+        ("goals", reached),
+        ("par", par.unwrap_or_else(with_goals)),
+        ("time", time.unwrap_or_else(with_goals)),
+    ];
+    let lamps = needed.into_iter().zip(end.lit);
+    lamps
+        .map(|((name, needed), is_lit)| Lamp {
+            name,
+            is_lit,
+            needed,
+        })
+        .collect()
+}
+
+/// The best result before this one, and whether this one is better.
+fn record(kept: &MissionResult, best: Option<&MissionResult>) -> String {
+    let Some(best) = best else {
+        return match kept.reached {
+            true => "\nThis is your first success here.".into(),
+            false => String::new(),
+        };
+    };
+    let lamps = counted(best.lamps, "lamp");
+    let rapidity = four_digits(best.rapidity_used);
+    let now = match kept.is_better_than(best) {
+        true => " This one is better.",
+        false if kept.reached => " This one is not better.",
+        false => "",
+    };
+    format!("\nYour best before: {lamps}, rapidity {rapidity}.{now}")
+}
+
+/// The numbers of an attempt that no lamp shows, in lines.
+fn numbers(mission: &Mission, kept: &MissionResult, units: Units) -> String {
     let own = units.time(kept.own_time, four_digits);
     let far = kept.far_time.map_or_else(String::new, |far| {
         format!(", home's {}", units.time(far, four_digits))
     });
     let lowest = units.length(kept.lowest, four_digits);
-    // The first par may have said it.
+    // The lamp of the par may say it.
     let is_par = |par: &Par| par.quantity == Quantity::RapidityUsed;
     let rapidity = match mission.pars.first().is_some_and(is_par) {
         true => String::new(),
         false => format!("rapidity {}, ", four_digits(kept.rapidity_used)),
     };
     format!(
-        "{par}your clock {own}{far}\n{rapidity}at most {} g\nlowest point {lowest}, error {:.0e}",
+        "your clock {own}{far}\n{rapidity}at most {} g\nlowest point {lowest}, error {:.0e}",
         three_digits(kept.peak_g),
         kept.error
     )

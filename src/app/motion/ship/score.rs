@@ -15,7 +15,7 @@ pub fn lamps(attempt: &Attempt, solution_time: Option<f64>) -> [bool; 3] {
     let par = attempt.mission.pars.first();
     let is_near = par.is_none_or(|par| is_near_par(par, flown));
     let own_time = flown.flight.ship.proper_time();
-    let is_quick = solution_time.is_none_or(|time| own_time <= NEAR * time);
+    let is_quick = solution_time.is_none_or(|time| own_time <= time_limit(time));
     [reached, reached && is_near, reached && is_quick]
 }
 
@@ -23,9 +23,22 @@ fn is_near_par(par: &Par, flown: &Voyage) -> bool {
     flown
         .quantity(par.quantity)
         .is_some_and(|value| match par.better {
-            Better::Less => value <= NEAR * par.value,
-            Better::More => value >= par.value / NEAR,
+            Better::Less => value <= par_limit(par),
+            Better::More => value >= par_limit(par),
         })
+}
+
+/// What lights the lamp of a par: at most or, where more is better, at least so much.
+pub(super) fn par_limit(par: &Par) -> f64 {
+    match par.better {
+        Better::Less => NEAR * par.value,
+        Better::More => par.value / NEAR,
+    }
+}
+
+/// The longest own time that lights the lamp of the time, from that of the solution.
+pub(super) fn time_limit(solution_time: f64) -> f64 {
+    NEAR * solution_time
 }
 
 /// The own time in which a mission's solution reaches the goals. `None` if it does not, or if there is

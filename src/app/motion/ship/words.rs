@@ -1,6 +1,6 @@
 //! What the window says of the ship.
 
-pub(super) use super::mission_words::{brief, end, first_keys, ways_on};
+pub(super) use super::mission_words::{End, brief, end, first_keys};
 
 use super::frame::News;
 use super::pace::Stop;
