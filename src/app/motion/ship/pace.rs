@@ -90,7 +90,7 @@ pub(super) fn far_rate(ship: &Ship) -> Option<f64> {
 pub(super) fn far_time(voyage: &Voyage, rate: f64, seconds: f64) -> Option<f64> {
     let wanted = rate * seconds;
     let r = voyage.flight.ship.place().r;
-    if wanted <= 0.0 {
+    if wanted <= 0.0 || !comes_away(&voyage.flight.ship) {
         return None;
     }
     let near = if r < FAR {
@@ -100,9 +100,6 @@ pub(super) fn far_time(voyage: &Voyage, rate: f64, seconds: f64) -> Option<f64> 
     };
     let mut ahead = voyage.flight;
     ahead.advance(near).ok()?;
-    if !comes_away(&ahead.ship) {
-        return None;
-    }
     // The seconds of the frame that are left beyond the radius.
     let left = seconds - near / rate;
     let farthest = FAR.max(r) * (GROWTH * left).exp();
