@@ -35,18 +35,22 @@ pub(super) struct Clicks {
     random: Random,
     /// Probability that one begins at a sample outside the dead time.
     chance: f64,
-    /// Seconds since the last one began.
-    age: f64,
+    /// Samples since the last one began, up to those of the dead time.
+    age: u32,
+    /// Samples of the dead time.
+    dead: u32,
     /// Seconds of a sample.
     step: f64,
 }
 
 impl Clicks {
     pub(super) fn new(rate: f64, seed: u64) -> Self {
+        let dead = (DEAD_SECONDS * rate).round() as u32;
         Self {
             random: Random::new(bits(seed)),
             chance: 0.0,
-            age: f64::INFINITY,
+            age: dead,
+            dead,
             step: 1.0 / rate,
         }
     }
@@ -60,15 +64,14 @@ impl Clicks {
     }
 
     pub(super) fn sample(&mut self) -> f64 {
-        self.age += self.step;
-        if self.age >= DEAD_SECONDS && self.random.unit() < self.chance {
-            self.age = 0.0;
+        if self.age >= self.dead {
+            if self.random.unit() >= self.chance {
+                return 0.0;
+            }
+            self.age = 0;
         }
-        if self.age < DEAD_SECONDS {
-            let envelope = AMPLITUDE * (-self.age / DECAY_SECONDS).exp();
-            envelope * (TAU * TONE_HZ * self.age).sin()
-        } else {
-            0.0
-        }
+        let time = f64::from(self.age) * self.step;
+        self.age += 1;
+        AMPLITUDE * (-time / DECAY_SECONDS).exp() * (TAU * TONE_HZ * time).sin()
     }
 }
