@@ -4,20 +4,23 @@
 
 use crate::app::state::sound::CockpitSound;
 use bevy::prelude::*;
+use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
+use cpal::{
+    BufferSize, BuildStreamError, Device, FromSample, OutputCallbackInfo, SampleFormat,
+    SizedSample, Stream, StreamConfig,
+};
 use lightfall_core::optics::sound::{Cockpit, Readings};
-use rodio::{ChannelCount, DeviceSinkBuilder, Sample, SampleRate, Source};
-use std::error::Error;
-use std::num::NonZero;
+use std::fmt::Display;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
-use std::time::Duration;
 
 /// The device is closed after so many seconds of silence: long after the sound has faded.
 const CLOSE_SECONDS: f32 = 4.0;
-/// Samples between two looks at the readings: five milliseconds or so.
-const READ_EVERY: u32 = 256;
+/// Samples that the device is asked to take at once, where it can: some hundredths of a second, so
+/// that neither the sound is late nor a busy machine interrupts it.
+const BUFFER_FRAMES: u32 = 1024;
 /// Chooses the engine's noise and the moments of the clicks.
 const SEED: u64 = 1;
 
@@ -59,11 +62,9 @@ impl Shared {
         }
     }
 
-    fn say(&self, fault: &dyn Error) {
+    fn say(&self, fault: &impl Display) {
         if !self.was_said.swap(true, Ordering::Relaxed) {
-            let causes = std::iter::successors(Some(fault), |fault| fault.source());
-            let causes: Vec<String> = causes.map(ToString::to_string).collect();
-            warn!("no sound: {}; everything else goes on", causes.join(": "));
+            warn!("no sound: {fault}; everything else goes on");
         }
     }
 }
@@ -87,7 +88,7 @@ fn play(time: Res<Time<Real>>, sound: Res<CockpitSound>, mut speaker: ResMut<Spe
             let (open, close) = channel();
             let shared = speaker.shared.clone();
             let thread = thread::Builder::new().name("sound".into());
-            if let Err(fault) = thread.spawn(move || keep_open(shared, &close)) {
+            if let Err(fault) = thread.spawn(move || keep_open(&shared, &close)) {
                 speaker.shared.say(&fault);
             }
             speaker.open = Some(open);
@@ -101,69 +102,63 @@ fn play(time: Res<Time<Real>>, sound: Res<CockpitSound>, mut speaker: ResMut<Spe
 }
 
 /// Opens the system's device and lets it play until the other end of the channel is dropped.
-fn keep_open(shared: Arc<Shared>, close: &Receiver<()>) {
+fn keep_open(shared: &Arc<Shared>, close: &Receiver<()>) {
     // ALSA's library would print its own lines when there is no device.
     #[cfg(target_os = "linux")]
     let _kept = alsa::Output::local_error_handler();
-    let on_fault = {
-        let shared = shared.clone();
-        move |fault| shared.say(&fault)
-    };
-    let opened = DeviceSinkBuilder::from_default_device()
-        .and_then(|device| device.with_error_callback(on_fault).open_sink_or_fallback());
-    match opened {
-        Ok(mut device) => {
-            device.log_on_drop(false);
-            let rate = device.config().sample_rate();
-            device.mixer().add(Voices {
-                cockpit: Cockpit::new(rate.get(), SEED),
-                shared,
-                rate,
-                left: 0,
-            });
-            // It is an error that the other end is dropped, and nothing is ever sent.
-            close.recv().ok();
-        }
+    match open(shared) {
+        // Nothing is ever sent: the channel ends when its other end is dropped.
+        Ok(_stream) => drop(close.recv()),
         Err(fault) => shared.say(&fault),
     }
 }
 
-/// The cockpit's voices as rodio plays them.
-struct Voices {
-    cockpit: Cockpit,
-    shared: Arc<Shared>,
-    rate: SampleRate,
-    /// Samples until the readings are looked at.
-    left: u32,
-}
-
-impl Iterator for Voices {
-    type Item = Sample;
-
-    fn next(&mut self) -> Option<Sample> {
-        if self.left == 0 {
-            self.cockpit.read(self.shared.read());
-            self.left = READ_EVERY;
+/// A stream that plays on the system's device.
+fn open(shared: &Arc<Shared>) -> Result<Stream, String> {
+    let device = cpal::default_host().default_output_device();
+    let device = device.ok_or("there is no audio device")?;
+    let usual = device.default_output_config();
+    let usual = usual.map_err(|fault| fault.to_string())?;
+    let build = match usual.sample_format() {
+        SampleFormat::F32 => build_stream::<f32>,
+        SampleFormat::I32 => build_stream::<i32>,
+        SampleFormat::I16 => build_stream::<i16>,
+        SampleFormat::U8 => build_stream::<u8>,
+        other => {
+            return Err(format!(
+                "the audio device takes samples of the kind {other}"
+            ));
         }
-        self.left -= 1;
-        Some(self.cockpit.sample())
-    }
+    };
+    let mut config = usual.config();
+    config.buffer_size = BufferSize::Fixed(BUFFER_FRAMES);
+    let stream = build(&device, &config, shared).or_else(|_| {
+        config.buffer_size = BufferSize::Default;
+        build(&device, &config, shared)
+    });
+    let stream = stream.map_err(|fault| fault.to_string())?;
+    stream.play().map_err(|fault| fault.to_string())?;
+    Ok(stream)
 }
 
-impl Source for Voices {
-    fn current_span_len(&self) -> Option<usize> {
-        None
-    }
-
-    fn channels(&self) -> ChannelCount {
-        NonZero::<u16>::MIN
-    }
-
-    fn sample_rate(&self) -> SampleRate {
-        self.rate
-    }
-
-    fn total_duration(&self) -> Option<Duration> {
-        None
-    }
+/// A stream of one kind of samples. Every channel plays the same.
+fn build_stream<T: SizedSample + FromSample<f32>>(
+    device: &Device,
+    config: &StreamConfig,
+    shared: &Arc<Shared>,
+) -> Result<Stream, BuildStreamError> {
+    let mut cockpit = Cockpit::new(config.sample_rate, SEED);
+    let channels = usize::from(config.channels.max(1));
+    let (readings, faults) = (shared.clone(), shared.clone());
+    device.build_output_stream(
+        config,
+        move |frames: &mut [T], _: &OutputCallbackInfo| {
+            cockpit.read(readings.read());
+            for frame in frames.chunks_mut(channels) {
+                frame.fill(T::from_sample(cockpit.sample()));
+            }
+        },
+        move |fault| faults.say(&fault),
+        None,
+    )
 }

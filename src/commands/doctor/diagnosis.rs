@@ -204,8 +204,7 @@ impl Diagnosis {
                 .extend(crate::app::NO_GAMEPAD.map(str::to_owned));
         }
         if !self.sound {
-            self.remarks
-                .extend(crate::app::NO_SOUND.map(str::to_owned));
+            self.remarks.extend(crate::app::NO_SOUND.map(str::to_owned));
         }
     }
 }

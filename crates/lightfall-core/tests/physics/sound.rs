@@ -256,7 +256,10 @@ fn no_reading_makes_a_sample_that_is_no_number_or_beyond_full_scale() {
         }
     }
     assert!(limited(f64::MAX) <= CEILING && limited(-f64::MAX) >= -CEILING);
-    assert_eq!(SAMPLE_RATES.map(|rate| Cockpit::new(rate, 0).sample()), [0.0; 2]);
+    assert_eq!(
+        SAMPLE_RATES.map(|rate| Cockpit::new(rate, 0).sample()),
+        [0.0; 2]
+    );
 }
 
 #[test]
@@ -274,7 +277,11 @@ fn readings_that_jump_make_no_jumps_of_the_samples() {
     let usual = step(&steady(RATE, 4.0, loud));
     let mut random = Random::new(SEED);
     let jumping = samples(RATE, 4.0, 0.005, |_| Readings {
-        home_light: if random.one_in(3) { 0.0 } else { 2.0 * random.unit() },
+        home_light: if random.one_in(3) {
+            0.0
+        } else {
+            2.0 * random.unit()
+        },
         thrust: f64::from(u8::from(random.one_in(2))),
         flux: 0.0,
         volume: f64::from(u8::from(random.one_in(2))),

@@ -180,9 +180,11 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 ui.end_row();
             }
         });
-    ui.weak(NO_SOUND.unwrap_or(
-        "No sound crosses vacuum: what you hear aboard the ship are its instruments.",
-    ));
+    ui.weak(
+        NO_SOUND.unwrap_or(
+            "No sound crosses vacuum: what you hear aboard the ship are its instruments.",
+        ),
+    );
 }
 
 /// A slider for the volume, in percent.
