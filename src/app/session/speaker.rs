@@ -6,8 +6,8 @@ use crate::app::state::sound::CockpitSound;
 use bevy::prelude::*;
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{
-    BufferSize, BuildStreamError, Device, FromSample, OutputCallbackInfo, SampleFormat,
-    SizedSample, Stream, StreamConfig,
+    BufferSize, BuildStreamError, DefaultStreamConfigError, Device, FromSample, OutputCallbackInfo,
+    SampleFormat, SizedSample, Stream, StreamConfig,
 };
 use lightfall_core::optics::sound::{Cockpit, Readings};
 use std::fmt::Display;
@@ -115,10 +115,15 @@ fn keep_open(shared: &Arc<Shared>, close: &Receiver<()>) {
 
 /// A stream that plays on the system's device.
 fn open(shared: &Arc<Shared>) -> Result<Stream, String> {
+    const NO_DEVICE: &str = "there is no audio device";
     let device = cpal::default_host().default_output_device();
-    let device = device.ok_or("there is no audio device")?;
-    let usual = device.default_output_config();
-    let usual = usual.map_err(|fault| fault.to_string())?;
+    let device = device.ok_or(NO_DEVICE)?;
+    let usual = device
+        .default_output_config()
+        .map_err(|fault| match fault {
+            DefaultStreamConfigError::DeviceNotAvailable => NO_DEVICE.to_owned(),
+            other => other.to_string(),
+        })?;
     let build = match usual.sample_format() {
         SampleFormat::F32 => build_stream::<f32>,
         SampleFormat::I32 => build_stream::<i32>,
