@@ -25,6 +25,8 @@ pub(super) struct Aboard {
     start: Flown,
     /// Whether the flight has come to its end, so that its time stands still.
     pub(super) has_ended: bool,
+    /// Whether the ship's time passed in the last frame.
+    pub(super) moves: bool,
     /// Where the camera was left, by which the ship notices that something else moves it.
     pub(super) last: Pose,
     /// The thrust that is set, as a share of the engine's.
@@ -74,6 +76,7 @@ impl Aboard {
             checkpoint: flown.clone(),
             start: flown.clone(),
             has_ended: false,
+            moves: false,
             flown,
             last: pose_of(scene),
             thrust: FIRST_THRUST,

@@ -79,6 +79,7 @@ impl Aboard {
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
         self.steer(frame);
         let seconds = if self.has_ended { 0.0 } else { frame.seconds };
+        self.moves = seconds > 0.0;
         let wanted = self.rate() * seconds.min(MAX_FRAME_SECONDS);
         let stop = (self.pace > 1.0)
             .then(|| first_stop(self.flown.voyage(), wanted, &self.flown.radii()))
