@@ -243,9 +243,18 @@ fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
     std::fs::write(&file, old).unwrap();
     results.correct_last(answered.clone()).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
-    assert!(text.lines().next().unwrap().ends_with(",answer,is_right"), "{text}");
+    assert!(
+        text.lines().next().unwrap().ends_with(",answer,is_right"),
+        "{text}"
+    );
     assert_eq!(lines()[0], "sample,reached,3,1,1,1,1,,,1,1,2,1e-12,");
-    assert_eq!(MissionResults::load(Some(file.clone())).best("sample").unwrap().is_right, None);
+    assert_eq!(
+        MissionResults::load(Some(file.clone()))
+            .best("sample")
+            .unwrap()
+            .is_right,
+        None
+    );
     // A file that is gone is begun again, with its header.
     std::fs::remove_file(&file).unwrap();
     results.correct_last(answered.clone()).unwrap();

@@ -71,7 +71,8 @@ impl MissionResult {
             self.lowest.to_string(),
             self.error.to_string(),
             optional(self.answer),
-            self.is_right.map_or(String::new(), |right| right.to_string()),
+            self.is_right
+                .map_or(String::new(), |right| right.to_string()),
         ]
         .join(",")
     }
