@@ -55,6 +55,7 @@ pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::SettingsFault;
+pub use state::sound::{CockpitSound, NO_SOUND};
 pub use state::toast::reading_time;
 pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;

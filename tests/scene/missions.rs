@@ -281,6 +281,7 @@ fn result(mission: &str, reached: bool, lamps: usize, rapidity_used: f64) -> Mis
         lowest: 5.99,
         error: 3.5e-14,
         answer: None,
+        is_right: None,
     }
 }
 
@@ -346,6 +347,7 @@ fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
     other_window.add(other.clone()).unwrap();
     let answered = MissionResult {
         answer: Some(42.0),
+        is_right: Some(false),
         ..first
     };
     results.correct_last(answered.clone()).unwrap();
@@ -354,6 +356,23 @@ fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
         text.lines().skip(1).map(str::to_owned).collect()
     };
     assert_eq!(lines(), [answered.row(), other.row()]);
+    // A file of an earlier version has fewer columns: its header becomes today's, and its rows stay.
+    let old = "mission,outcome,lamps\nsample,reached,3,1,1,1,1,,,1,1,2,1e-12,\n";
+    std::fs::write(&file, old).unwrap();
+    results.correct_last(answered.clone()).unwrap();
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        text.lines().next().unwrap().ends_with(",answer,is_right"),
+        "{text}"
+    );
+    assert_eq!(lines()[0], "sample,reached,3,1,1,1,1,,,1,1,2,1e-12,");
+    assert_eq!(
+        MissionResults::load(Some(file.clone()))
+            .best("sample")
+            .unwrap()
+            .is_right,
+        None
+    );
     // A file that is gone is begun again, with its header.
     std::fs::remove_file(&file).unwrap();
     results.correct_last(answered.clone()).unwrap();

@@ -9,6 +9,7 @@ fn settings_are_read_back_as_they_were_written() {
     let file = folder.path().join("deep/er/settings.toml");
     let mut settings = Settings {
         ui_scale: 1.25,
+        volume: 0.0,
         automatic_resolution: Automatic::Off,
         ..Settings::default()
     };
@@ -46,6 +47,11 @@ fn a_broken_file_is_renamed_and_reported() {
             "ui_scale = 40.0",
             "ui_scale = 40 is refused: it must be a number from 0.6 to 2.5",
         ),
+        (
+            "volume = 1.5",
+            "volume = 1.5 is refused: it must be a number from 0 to 1",
+        ),
+        ("volume = \"loud\"", "line 1: invalid type"),
         ("frame_rate = nan", "frame_rate = NaN is refused"),
         (
             "most_frames = -1.0",

@@ -1,5 +1,6 @@
 //! What a scene's camera sees, in f64: camera rays, null geodesics, the disk, frequency shifts and
-//! the spectrum. The shaders are measured against these functions.
+//! the spectrum. The shaders are measured against these functions. The ship and what its cockpit
+//! sounds like are here, too.
 //!
 //! Every photon is the physical, future-directed one, with E = -p_t, L = p_phi and Carter's Q per
 //! unit frequency for the camera. Rays are followed backward from the camera.
@@ -25,6 +26,7 @@ pub mod readout;
 pub mod reference;
 pub mod shift;
 pub mod ship;
+pub mod sound;
 pub mod spectrum;
 pub mod stars;
 pub mod straight;

@@ -92,21 +92,13 @@ impl Readout {
                 .map(|frame| relative_velocity(&matrix, &frame, theta, phi).length())
         };
         let u = four_velocity(&matrix);
-        let outside = r > kerr.horizon();
-        let angular_momentum = r * camera.direction().cross(u.w).z;
         let in_free_fall = observer.velocity != [0.0; 3];
         Ok(Self {
             r,
             angles_deg: [camera.theta_deg, camera.phi_deg],
             speed_for_zamo: speed(ObserverKind::Zamo),
             speed_for_static: speed(ObserverKind::Static),
-            time_dilation: outside.then(|| {
-                // u^t = (E - omega L) / N^2.
-                let RestFrame {
-                    lapse, dragging, ..
-                } = RestFrame::at(kerr, r, theta);
-                lapse * lapse / (u.energy - dragging * angular_momentum)
-            }),
+            time_dilation: time_dilation(&scene)?,
             ahead: light_ahead(&scene)?,
             shadow_radius: shadow_radius(kerr, &matrix, r, theta, phi),
             acceleration: if in_free_fall {
@@ -118,6 +110,25 @@ impl Readout {
             hot_spot: hot_spot(&scene)?,
         })
     }
+}
+
+/// d tau/dt of the scene's observer: the proper time over the time of clocks far away; `None` at and
+/// inside the horizon.
+///
+/// # Errors
+/// If the scene's observer does not exist.
+pub fn time_dilation(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let (camera, observer) = (&scene.camera, &scene.observer);
+    let (kerr, r, [theta, _]) = (scene.kerr(), camera.r, camera.polar_angles());
+    let u = four_velocity(&scene.observer_at_camera(observer.kind, observer.velocity)?);
+    let angular_momentum = r * camera.direction().cross(u.w).z;
+    Ok((r > kerr.horizon()).then(|| {
+        // u^t = (E - omega L) / N^2.
+        let RestFrame {
+            lapse, dragging, ..
+        } = RestFrame::at(kerr, r, theta);
+        lapse * lapse / (u.energy - dragging * angular_momentum)
+    }))
 }
 
 fn hot_spot(scene: &Scene) -> Result<Option<HotSpotReadout>, ObserverError> {

@@ -10,6 +10,7 @@ mod shown;
 mod watch;
 
 use bevy::app::App;
+use lightfall::app::CockpitSound;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -24,6 +25,10 @@ fn main() -> ExitCode {
 /// Adds what tests need to the window program, if one watches it.
 fn add_watch(app: &mut App) {
     if let Some(file) = std::env::var_os(watched::STATE_FILE) {
+        app.insert_resource(CockpitSound {
+            may_play: false,
+            ..Default::default()
+        });
         app.add_plugins((
             orders::plugin,
             device::plugin,

@@ -40,6 +40,8 @@ pub struct State {
     pub falls: bool,
     /// The ship, while the hands fly it.
     pub ship: Option<ShipState>,
+    /// The loudness of what the ship's pilot hears.
+    pub volume: f64,
     /// How many points of the ship's path ahead the picture shows.
     pub path_points: usize,
     /// How fast the observer's time passes when it falls.

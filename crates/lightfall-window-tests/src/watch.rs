@@ -8,7 +8,9 @@ use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContext, EguiFullOutput, EguiPostUpdateSet};
-use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Layout, Menu, PathLine, ShipFlight};
+use lightfall::app::{
+    CockpitSound, FramePacing, FreeFall, JourneyPlayer, Layout, Menu, PathLine, ShipFlight,
+};
 use lightfall_core::optics::ship::Apsides;
 use lightfall_render::{Comparison, ComparisonMode, DrawnScene, Progress};
 use std::path::PathBuf;
@@ -33,7 +35,7 @@ fn write_state(
     mut egui: Query<(&mut EguiContext, &EguiFullOutput)>,
     (orders, answers, kept): (Res<Orders>, Res<Answers>, Res<KeptPicture>),
     (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
-    (ship, path): (Res<ShipFlight>, Res<PathLine>),
+    (ship, path, sound): (Res<ShipFlight>, Res<PathLine>, Res<CockpitSound>),
     (progress, pacing): (Res<Progress>, Res<FramePacing>),
     (menu, comparison, layout): (Res<Menu>, Res<Comparison>, Res<Layout>),
     window: Single<(&Window, &CursorOptions), With<PrimaryWindow>>,
@@ -69,6 +71,7 @@ fn write_state(
         journey: player.is_playing().then(|| player.time()),
         falls: fall.is_moving(),
         ship: ship_state(&ship),
+        volume: sound.readings.volume,
         path_points: path.drawn(),
         pace: fall.rate(1.0),
         progress: format!("{:?}", *progress),

@@ -21,4 +21,6 @@ pub(crate) mod quit;
 pub(crate) mod recovery;
 pub(crate) mod screenshot;
 pub(crate) mod shader_news;
+#[cfg(feature = "sound")]
+pub(crate) mod speaker;
 pub(crate) mod window;

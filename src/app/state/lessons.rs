@@ -1,10 +1,11 @@
 //! Lessons and the guided journey: what is offered, what is asked for, and whether one is under way.
 
 use bevy::prelude::*;
-use lightfall_core::scene::journey::{InspectorView, Journey, LESSONS, load};
+use lightfall_core::scene::journey::{FLIGHTS, InspectorView, Journey, LESSONS, load};
 use lightfall_platform::storage::{journey_of_file, lessons_folder, preset_files};
 
-/// The journeys that are offered as lessons, the built-in ones first.
+/// The journeys that are offered in the list of lessons: the built-in lessons and flights, then those of
+/// the user.
 #[derive(Resource, Default)]
 pub(crate) struct Lessons(pub(crate) Vec<Journey>);
 
@@ -38,6 +39,7 @@ impl Lessons {
     pub(crate) fn read(&mut self) -> Vec<String> {
         let built_in = LESSONS
             .iter()
+            .chain(&FLIGHTS)
             .map(|(name, text)| load(name, text).map_err(|fault| fault.to_string()));
         let files = lessons_folder().map_or_else(Vec::new, |folder| preset_files(&folder));
         let own = files

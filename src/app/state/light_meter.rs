@@ -47,6 +47,12 @@ impl LightMeter {
         }
     }
 
+    /// The exposure that it has chosen.
+    #[cfg(feature = "sound")]
+    pub(crate) fn chosen(&self) -> f64 {
+        self.exposure_ev
+    }
+
     /// Chooses an exposure, from which it goes on.
     pub(crate) fn set(&mut self, exposure_ev: f64) {
         self.exposure_ev = exposure_ev;

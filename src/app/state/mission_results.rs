@@ -12,7 +12,9 @@ const MAX_BYTES: u64 = 8 << 20;
 
 /// The columns.
 const HEADER: &str = "mission,outcome,lamps,attempt,own_time,far_time,rapidity_used,par_quantity,par_reached,peak_g,\
-                      peak_tide_g_per_metre,lowest_r,error,answer";
+                      peak_tide_g_per_metre,lowest_r,error,answer,is_right";
+/// How every header of an earlier version begins, too.
+const HEADER_START: &str = "mission,outcome,";
 
 /// An attempt that came to its end. Times are in r_s/c, radii in r_s.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +43,10 @@ pub struct MissionResult {
     pub lowest: f64,
     /// The flight's stated error.
     pub error: f64,
-    /// The answer to the mission's question.
+    /// The last answer to the mission's question.
     pub answer: Option<f64>,
+    /// Whether that answer is right.
+    pub is_right: Option<bool>,
 }
 
 impl MissionResult {
@@ -68,6 +72,8 @@ impl MissionResult {
             self.lowest.to_string(),
             self.error.to_string(),
             optional(self.answer),
+            self.is_right
+                .map_or(String::new(), |right| right.to_string()),
         ]
         .join(",")
     }
@@ -109,6 +115,7 @@ impl MissionResult {
             lowest: number(11)?,
             error: number(12)?,
             answer: number(13),
+            is_right: cells.get(14).and_then(|cell| cell.parse().ok()),
         })
     }
 }
@@ -196,7 +203,14 @@ impl MissionResults {
 /// The lines of the file, or the header of a new one.
 fn existing_lines(file: &Path) -> Result<Vec<String>, String> {
     match storage::read_text(file, MAX_BYTES) {
-        Ok(text) => Ok(text.lines().map(str::to_owned).collect()),
+        Ok(text) => {
+            let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+            // Rows of an earlier version have fewer cells at their end.
+            if let Some(first) = lines.first_mut().filter(|it| it.starts_with(HEADER_START)) {
+                *first = HEADER.into();
+            }
+            Ok(lines)
+        }
         Err(TextError::Empty) => Ok(vec![HEADER.into()]),
         Err(TextError::Unreadable(error)) if error.kind() == ErrorKind::NotFound => {
             Ok(vec![HEADER.into()])

@@ -55,7 +55,7 @@ impl AskedQuestion {
         let (question, result) = self.asked.as_mut()?;
         match question.judge(&self.typed) {
             Ok(judged) => {
-                result.answer = Some(judged.number);
+                (result.answer, result.is_right) = (Some(judged.number), Some(judged.is_right));
                 (self.is_right, self.said) = (judged.is_right, judged.said);
                 Some(result.clone())
             }
@@ -94,8 +94,14 @@ impl Missions {
             .chain(own)
             .filter_map(|mission| mission.map_err(|fault| faults.push(fault)).ok())
             .collect();
-        self.results = MissionResults::load(mission_results_file());
+        self.read_results();
         faults
+    }
+
+    /// Reads the results, which must precede the end of the first attempt: what is not read has no file
+    /// to keep further ones in.
+    pub(crate) fn read_results(&mut self) {
+        self.results = MissionResults::load(mission_results_file());
     }
 }
 

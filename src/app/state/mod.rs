@@ -25,6 +25,7 @@ pub(crate) mod scene_editor;
 pub(crate) mod settings;
 pub(crate) mod settings_fault;
 pub(crate) mod shown_picture;
+pub(crate) mod sound;
 pub(crate) mod title;
 pub(crate) mod toast;
 pub(crate) mod view_point;

@@ -52,6 +52,8 @@ pub struct Settings {
     pub mouse_sensitivity: f64,
     /// Whether the camera looks down when the mouse or the stick moves up.
     pub invert_y: bool,
+    /// Loudness of what the ship's pilot hears, from 0 for silence to 1.
+    pub volume: f64,
     /// The hole's mass for the read-outs, in solar masses.
     pub hole_mass_suns: f64,
     /// The graphics adapter that draws the window from the next start on. None for the best.
@@ -99,6 +101,8 @@ const MAX_BYTES: u64 = 1 << 20;
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
 /// The range of `mouse_sensitivity`.
 pub const MOUSE_SENSITIVITIES: [f64; 2] = [0.1, 5.0];
+/// The range of `volume`.
+pub const VOLUMES: [f64; 2] = [0.0, 1.0];
 /// The range of the hole's mass, in solar masses.
 pub const HOLE_MASSES: [f64; 2] = [0.1, 1e11];
 /// The range of the frame rates, in frames per second.
@@ -122,6 +126,7 @@ impl Default for Settings {
             keep_key_hints: false,
             mouse_sensitivity: 1.0,
             invert_y: false,
+            volume: 0.5,
             hole_mass_suns: MASSES[0].suns,
             adapter: None,
             keys: BTreeMap::new(),
@@ -202,6 +207,7 @@ impl Settings {
             self.mouse_sensitivity,
             MOUSE_SENSITIVITIES,
         )?;
+        within("volume", self.volume, VOLUMES)?;
         within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
         let usual = KeyLabels::default();
         Bindings::new(&self.keys, &usual)?;

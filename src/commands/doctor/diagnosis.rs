@@ -29,6 +29,8 @@ pub struct Diagnosis {
     pub system: System,
     /// Whether this build reads gamepads.
     pub gamepads: bool,
+    /// Whether this build plays sound.
+    pub sound: bool,
     /// Every graphics adapter.
     pub adapters: Vec<Adapter>,
     /// The settings file.
@@ -89,6 +91,7 @@ impl Diagnosis {
             version: env!("CARGO_PKG_VERSION"),
             system: System::here(),
             gamepads: cfg!(feature = "gamepad"),
+            sound: cfg!(feature = "sound"),
             adapters: adapters()
                 .into_iter()
                 .map(|listed| Adapter::new(listed, used.as_ref()))
@@ -202,6 +205,9 @@ impl Diagnosis {
         if !self.gamepads {
             self.remarks
                 .extend(crate::app::NO_GAMEPAD.map(str::to_owned));
+        }
+        if !self.sound {
+            self.remarks.extend(crate::app::NO_SOUND.map(str::to_owned));
         }
     }
 }

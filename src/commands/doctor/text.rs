@@ -39,6 +39,14 @@ impl Display for Diagnosis {
                 "are not read by this build"
             },
         )?;
+        line(
+            "sound",
+            if self.sound {
+                "is played at the ship's controls"
+            } else {
+                "is not played by this build"
+            },
+        )?;
         if self.adapters.is_empty() {
             line("adapter", "none")?;
         }

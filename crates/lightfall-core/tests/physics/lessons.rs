@@ -242,3 +242,31 @@ fn the_numbers_of_the_lesson_about_two_clocks_are_those_of_the_reference() {
     assert!((left(1.0) * second - question.answer).abs() < 0.01);
     lesson.ends();
 }
+
+#[test]
+fn the_answers_to_questions_on_the_way_are_computed_and_a_wrong_one_gets_a_hint() {
+    let question = |name: &str, stop: usize| Lesson::of(name).stop(stop).question.clone().unwrap();
+    let half_rate = 1.0 / (1.0 - 0.5_f64.powi(2));
+    for (name, stop, answer) in [
+        ("shadow", 5, CRITICAL_IMPACT.powi(2)),
+        ("bright-side", 2, 0.5_f64.powi(4)),
+        ("two-clocks", 2, half_rate),
+    ] {
+        let question = question(name, stop);
+        assert!((question.answer - answer).abs() < 1e-4, "{name}: {answer}");
+        assert!(question.judge(&format!("{answer}")).unwrap().is_right);
+    }
+    for (name, _) in LESSONS {
+        let stops = Lesson::of(name).journey.stops;
+        for question in stops.into_iter().filter_map(|stop| stop.question) {
+            let wrong = question
+                .judge(&format!("{}", 3.0 * question.answer))
+                .unwrap();
+            assert!(
+                !wrong.is_right && wrong.said.ends_with(&question.hint),
+                "{wrong:?}"
+            );
+            assert!(!question.hint.is_empty(), "{name}");
+        }
+    }
+}

@@ -24,7 +24,7 @@ fn a_stop_is_read_with_everything_that_it_may_have() {
     let journey = journey_with(
         "[[stop]]\nat = 3.5\ncaption = \"\"\"\n  One.\r\n\nTwo \"\"\"\neffects.doppler = false\nview = \"redshift\"\n\
          guides = true\nside_by_side = false\ninspector = { at = [0.25, 1] }\n\
-         question = { text = \"How large?\", answer = 3, tolerance = 0.1, unit = \"r_s\" }\n\
+         question = { text = \"How large?\", answer = 3, tolerance = 0.1, unit = \"r_s\", hint = \"Count.\" }\n\
          [[stop]]\nat = 12\ninspector = { toward = [-1, 0, 0.5] }\n",
     );
     let [first, second] = journey.stops.as_slice() else {
@@ -52,7 +52,10 @@ fn a_stop_is_read_with_everything_that_it_may_have() {
         question.judge("2,95 r_s"),
         Ok(judged(2.95, true, "Right: it is 3 r_s"))
     );
-    assert_eq!(question.judge("4"), Ok(judged(4.0, false, "It is not 4")));
+    assert_eq!(
+        question.judge("4"),
+        Ok(judged(4.0, false, "It is not 4. Count."))
+    );
     assert_eq!(
         question.judge("large"),
         Err("\"large\" is not a number".into())

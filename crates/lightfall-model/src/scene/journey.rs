@@ -28,7 +28,7 @@ pub use caption::Caption;
 pub use check::Unflyable;
 pub use draft::{Draft, Shown};
 pub use error::JourneyError;
-pub use lessons::{LESSONS, built_in, is_journey};
+pub use lessons::{FLIGHTS, LESSONS, built_in, is_journey};
 pub use load::load;
 pub use stop::{InspectorView, SideBySide, Stop};
 pub use switches::Switches;

@@ -16,6 +16,9 @@ pub struct Question {
     /// The answer's unit, as it follows the number. Empty for a number without one.
     #[serde(default)]
     pub unit: String,
+    /// What is said after a wrong answer. Empty for nothing.
+    #[serde(default)]
+    pub hint: String,
 }
 
 /// An answer to a question, and whether it is right.
@@ -46,7 +49,11 @@ impl Question {
             let right = [four_digits(self.answer), self.unit.clone()].join(" ");
             format!("Right: it is {}", right.trim_end())
         } else {
-            format!("It is not {typed}")
+            let wrong = format!("It is not {typed}");
+            match self.hint.as_str() {
+                "" => wrong,
+                hint => format!("{wrong}. {hint}"),
+            }
         };
         Ok(JudgedAnswer {
             number,

@@ -40,6 +40,8 @@ mod rest;
 mod safety;
 mod session;
 mod shot;
+#[cfg(feature = "sound")]
+mod sound;
 mod touch;
 mod typing;
 mod x_keys;

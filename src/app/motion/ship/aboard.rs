@@ -28,6 +28,8 @@ pub(super) struct Aboard {
     start: Flown,
     /// Whether the flight has come to its end, so that its time stands still.
     pub(super) has_ended: bool,
+    /// Whether the ship's time passed in the last frame.
+    pub(super) moves: bool,
     /// Where the camera was left, by which the ship notices that something else moves it.
     pub(super) last: Pose,
     /// The thrust that is set, as a share of the engine's.
@@ -79,6 +81,7 @@ impl Aboard {
             checkpoint: flown.clone(),
             start: flown.clone(),
             has_ended: false,
+            moves: false,
             track: Track::new(flown.ship()),
             flown,
             last: pose_of(scene),

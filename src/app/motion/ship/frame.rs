@@ -86,6 +86,7 @@ impl Aboard {
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
         self.steer(frame);
         let seconds = if self.has_ended { 0.0 } else { frame.seconds };
+        self.moves = seconds > 0.0;
         let seconds = seconds.min(MAX_FRAME_SECONDS);
         let (rate, was_far) = (self.wanted_rate(), self.is_far);
         let far = far_time(self.flown.voyage(), rate, seconds);

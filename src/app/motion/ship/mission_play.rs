@@ -90,7 +90,7 @@ pub(super) fn start_missions(
     mut starts: MessageReader<StartMission>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
-    mut asked: ResMut<AskedQuestion>,
+    (mut missions, mut asked): (ResMut<Missions>, ResMut<AskedQuestion>),
     mut camera: CameraMotions,
     mut end_card: ResMut<EndCard>,
     preferences: Res<Preferences>,
@@ -104,6 +104,13 @@ pub(super) fn start_missions(
         }
         camera.end();
         asked.close();
+        // One that the command line names, or a file that is dropped, comes before any list is read. The
+        // list says what is wrong with its files when it is opened.
+        if missions.list.is_empty() {
+            drop(missions.read());
+        } else {
+            missions.read_results();
+        }
         *play = MissionPlay::default();
         times.0.follow(Mission::clone(mission));
         let units = preferences.settings.units();
@@ -212,5 +219,6 @@ fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult
         lowest: records.lowest,
         error: flown.flight.ship.error().stated(),
         answer: None,
+        is_right: None,
     }
 }

@@ -4,6 +4,8 @@
 //! that looks along its nose. So everything that draws a scene draws what its pilot sees.
 
 mod aboard;
+#[cfg(feature = "sound")]
+mod cockpit;
 mod commands;
 mod flown;
 mod frame;
@@ -33,6 +35,8 @@ pub(crate) use words::{heading_words, multiple};
 use bevy::prelude::*;
 
 pub(crate) fn plugin(app: &mut App) {
+    #[cfg(feature = "sound")]
+    app.add_plugins(cockpit::plugin);
     app.init_resource::<ShipFlight>()
         .init_resource::<MissionPlay>()
         .init_resource::<mission_play::SolutionTimes>()

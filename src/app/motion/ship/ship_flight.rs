@@ -94,6 +94,12 @@ impl ShipFlight {
         self.aboard.is_some()
     }
 
+    /// Whether the ship's time passed in the last frame.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.aboard.as_ref().is_some_and(|aboard| aboard.moves)
+    }
+
     /// The voyage, if someone has the controls.
     #[must_use]
     pub fn voyage(&self) -> Option<&Voyage> {

@@ -20,6 +20,7 @@ use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2};
 use lightfall_core::numbers::{one_decimal, spin_digits, steady_digits};
+use lightfall_core::optics::readout::time_dilation;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_render::DrawnScene;
@@ -86,12 +87,17 @@ pub fn read_outs(scene: &Scene, speed: f64, units: Units) -> [Vec<ReadOut>; 2] {
     } else {
         format!("exposure {:+.2}", scene.picture.exposure_ev)
     };
-    let motion = vec![
-        ReadOut::new("", motion.into(), "hovering at rest"),
+    let mut motion = vec![ReadOut::new("", motion.into(), "hovering at rest")];
+    // Inside the horizon no clock far away can be compared.
+    if let Ok(Some(rate)) = time_dilation(scene) {
+        let rate = format!("{rate:.4} of home's");
+        motion.push(ReadOut::new("clock", rate, "0.0000 of home's"));
+    }
+    motion.extend([
         ReadOut::new("spin", spin_digits(scene.hole.spin), "0.9999"),
         ReadOut::new(SPEED, format!("{speed:.2}×"), "00.00×"),
         ReadOut::new("", exposure, "exposure +00.00"),
-    ];
+    ]);
     [place, motion]
 }
 

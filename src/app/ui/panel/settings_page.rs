@@ -8,8 +8,9 @@ use crate::app::controls::table::CONTROLS;
 use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::settings::{
-    Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES,
+    Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES, VOLUMES,
 };
+use crate::app::state::sound::NO_SOUND;
 use bevy::prelude::*;
 use bevy_egui::egui;
 use lightfall_platform::IN_BROWSER;
@@ -152,6 +153,12 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 .on_hover_text("Look down when the mouse or the right stick moves up");
             switch(ui, &mut settings.invert_y);
             ui.end_row();
+            if NO_SOUND.is_none() {
+                ui.label("Volume")
+                    .on_hover_text("Of what you hear at the ship's controls: home's beacon, the engine, and clicks for the light");
+                volume(ui, &mut settings.volume);
+                ui.end_row();
+            }
             ui.label("Average frames at rest").on_hover_text(
                 "While nothing moves, the picture becomes the mean of 16 frames, whose rays go through other places of each \
                  pixel. Auto: on with a graphics card",
@@ -173,6 +180,21 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 ui.end_row();
             }
         });
+    ui.weak(
+        NO_SOUND.unwrap_or(
+            "No sound crosses vacuum: what you hear aboard the ship are its instruments.",
+        ),
+    );
+}
+
+/// A slider for the volume, in percent.
+fn volume(ui: &mut egui::Ui, setting: &mut f64) {
+    let [low, high] = VOLUMES.map(|volume| 100.0 * volume);
+    let mut percent = 100.0 * *setting;
+    let slider = egui::Slider::new(&mut percent, low..=high).integer();
+    if ui.add(slider.suffix(" %")).changed() {
+        *setting = percent / 100.0;
+    }
 }
 
 /// A slider for the size. The size takes effect when the slider is released, so that the slider does

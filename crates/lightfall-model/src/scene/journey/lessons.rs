@@ -1,8 +1,8 @@
-//! The built-in lessons: journeys with stops, part of the program itself.
+//! The built-in lessons, which are journeys with stops, and other flights: part of the program itself.
 
 use super::{Journey, load};
 
-macro_rules! lessons {
+macro_rules! journeys {
     ($($name:literal),* $(,)?) => {
         [$((
             $name,
@@ -12,11 +12,15 @@ macro_rules! lessons {
 }
 
 /// Names and texts of the built-in lessons, in the order in which they are offered.
-pub const LESSONS: [(&str, &str); 3] = lessons!["shadow", "bright-side", "two-clocks"];
+pub const LESSONS: [(&str, &str); 3] = journeys!["shadow", "bright-side", "two-clocks"];
 
-/// The built-in lesson with this name.
+/// Names and texts of the built-in journeys without stops, besides the guided one.
+pub const FLIGHTS: [(&str, &str); 1] = journeys!["layers"];
+
+/// The built-in lesson or flight with this name.
 pub fn built_in(name: &str) -> Option<Journey> {
-    let (name, text) = LESSONS.into_iter().find(|(known, _)| *known == name)?;
+    let mut all = LESSONS.into_iter().chain(FLIGHTS);
+    let (name, text) = all.find(|(known, _)| *known == name)?;
     load(name, text).ok()
 }
 

@@ -220,7 +220,8 @@ fn read_inspector(
 }
 
 fn read_question(number: usize, value: toml::Value) -> Result<Question, Fault> {
-    const ALLOWED: &str = "a table with text, answer, tolerance and, if the answer has one, unit";
+    const ALLOWED: &str =
+        "a table with text, answer and tolerance, and unit or hint if there is one";
     let toml::Value::Table(mut table) = value else {
         return Err(refused(
             number,
@@ -229,8 +230,8 @@ fn read_question(number: usize, value: toml::Value) -> Result<Question, Fault> {
             ALLOWED.into(),
         ));
     };
-    let [text, answer, tolerance, unit] =
-        ["text", "answer", "tolerance", "unit"].map(|key| table.remove(key));
+    let [text, answer, tolerance, unit, hint] =
+        ["text", "answer", "tolerance", "unit", "hint"].map(|key| table.remove(key));
     if let Some(key) = table.keys().next() {
         return Err(Fault::StopKey {
             line: None,
@@ -271,6 +272,10 @@ fn read_question(number: usize, value: toml::Value) -> Result<Question, Fault> {
         unit: match &unit {
             None => String::new(),
             unit => line("question.unit", unit.as_ref(), MAX_UNIT_CHARS)?,
+        },
+        hint: match &hint {
+            None => String::new(),
+            hint => line("question.hint", hint.as_ref(), MAX_QUESTION_CHARS)?,
         },
     })
 }

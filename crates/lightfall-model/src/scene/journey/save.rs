@@ -131,12 +131,16 @@ fn inspector_value(inspected: InspectorView) -> Toml {
 }
 
 fn question_text(question: &Question) -> String {
-    let unit = Some(&question.unit).filter(|unit| !unit.is_empty());
+    let optional = |key: &str, text: &String| match text.as_str() {
+        "" => String::new(),
+        _ => pair(key, text.clone()),
+    };
     [
         pair("question.text", question.text.clone()),
         pair("question.answer", question.answer),
         pair("question.tolerance", question.tolerance),
-        unit.map_or_else(String::new, |unit| pair("question.unit", unit.clone())),
+        optional("question.unit", &question.unit),
+        optional("question.hint", &question.hint),
     ]
     .concat()
 }
