@@ -235,10 +235,10 @@ fn a_lesson_made_by_keys_is_saved_and_plays_again() {
         3
     );
 
-    // After the three built-in ones comes the lesson, with the caption that was written.
+    // After the three built-in ones and a flight comes the lesson, with the caption that was written.
     desktop.press("4");
     desktop.wait_for("another scene", |state| state.scene["name"] == "close");
-    begin_from_menu(&desktop, 3);
+    begin_from_menu(&desktop, 4);
     let begun = wait_for_stop(&desktop, "1 of 2");
     assert!(begun.shows("What do you see?") && is_on(&begun, "effects.doppler"));
     desktop.press("space");

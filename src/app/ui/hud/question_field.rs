@@ -1,6 +1,6 @@
 //! The field in which a question with a number is answered.
 
-use bevy_egui::egui::{self, RichText};
+use bevy_egui::egui::{self, Response, RichText};
 use lightfall_core::scene::Question;
 
 /// Width of the field, in points.
@@ -17,15 +17,15 @@ pub(super) enum Step {
     IsDone,
 }
 
-/// Shows the field, the answer's unit and a button. Typing a number needs no click on the field, and
-/// Enter never leaves it before the answer `is_right`: outside it, Enter and digits mean other things.
+/// Shows the field, the answer's unit and a button. Typing a number needs no click on the field. Returns
+/// what the user does, and the field, which the caller gives the keyboard again after a wrong answer.
 pub(super) fn show_answer_field(
     ui: &mut egui::Ui,
     question: &Question,
     typed: &mut String,
     is_right: bool,
     size: f32,
-) -> Step {
+) -> (Step, Response) {
     let begun = begun_number(ui);
     typed.push_str(&begun);
     let field = ui.add(egui::TextEdit::singleline(typed).desired_width(WIDTH));
@@ -34,16 +34,16 @@ pub(super) fn show_answer_field(
     }
     let button = ui.button("Answer").clicked();
     let enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
-    let in_field = field.has_focus() || field.lost_focus();
-    if !begun.is_empty() || enter && in_field && !is_right {
+    if !begun.is_empty() {
         field.request_focus();
     }
-    match (enter, is_right) {
+    let step = match (enter, is_right) {
         (true, true) => Step::IsDone,
         (true, false) if !typed.trim().is_empty() => Step::Answers,
         _ if button => Step::Answers,
         _ => Step::Types,
-    }
+    };
+    (step, field)
 }
 
 /// The part of a number that is typed in this frame while no field has the keyboard.

@@ -127,18 +127,22 @@ fn words(text: &str, size: f32, colour: Color32) -> RichText {
 /// Asks the question and judges the answer. Returns whether the lesson goes on.
 fn ask(ui: &mut egui::Ui, question: &Question, answer: &mut Answer, size: f32) -> bool {
     ui.label(words(&question.text, 0.9 * size, BRIGHT));
-    let mut step = Step::Types;
-    ui.horizontal(|ui| {
+    let line = ui.horizontal(|ui| {
         let Answer {
             typed, is_right, ..
         } = answer;
-        step = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
+        let used = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
         ui.label(words(&answer.said, 0.9 * size, WARNING));
+        used
     });
+    let (step, field) = line.inner;
     if step == Step::Answers {
         match question.judge(&answer.typed) {
             Ok(judged) => (answer.is_right, answer.said) = (judged.is_right, judged.said),
             Err(fault) => answer.said = fault,
+        }
+        if !answer.is_right {
+            field.request_focus();
         }
     }
     step == Step::IsDone

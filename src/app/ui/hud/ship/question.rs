@@ -42,7 +42,7 @@ pub(in crate::app::ui::hud) fn show_question(
             egui::Align2::RIGHT_CENTER.align_size_within_rect(size, layout.bounds())
         });
     layout.take(NAME, place);
-    let (mut step, mut closes) = (Step::Types, false);
+    let (mut used, mut closes) = (None, false);
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .order(egui::Order::Foreground)
@@ -55,7 +55,7 @@ pub(in crate::app::ui::hud) fn show_question(
                     let AskedQuestion {
                         typed, is_right, ..
                     } = &mut *asked;
-                    step = show_answer_field(ui, &question, typed, *is_right, 15.0);
+                    used = Some(show_answer_field(ui, &question, typed, *is_right, 15.0));
                     closes = ui.button("Close").clicked();
                 });
                 if !asked.said.is_empty() {
@@ -63,12 +63,18 @@ pub(in crate::app::ui::hud) fn show_question(
                 }
             });
         });
+    let Some((step, field)) = used else {
+        return;
+    };
     if closes || step == Step::IsDone {
         *end_card = asked.close();
-    } else if step == Step::Answers
-        && let Some(result) = asked.answer()
-        && let Err(fault) = missions.results.correct_last(result)
-    {
-        toast.say(fault);
+    } else if step == Step::Answers {
+        let kept = asked.answer().map(|it| missions.results.correct_last(it));
+        if let Some(Err(fault)) = kept {
+            toast.say(fault);
+        }
+        if !asked.is_right {
+            field.request_focus();
+        }
     }
 }
