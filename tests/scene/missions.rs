@@ -5,6 +5,7 @@ use lightfall::app::{
     FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, control_named, lamps,
     solution_time,
 };
+use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::mission::{self, MISSIONS, Quantity};
@@ -66,6 +67,21 @@ impl Player {
 
     fn outcome(&self) -> Outcome {
         self.ship.attempt().unwrap().outcome()
+    }
+}
+
+/// The nose of these missions points along the motion, where there is only sky.
+#[test]
+fn missions_that_begin_with_a_nose_away_from_the_hole_begin_with_the_hole_in_view() {
+    for name in ["two-burns", "sample"] {
+        let mut player = Player::begin(name);
+        player.pass(0.0);
+        let hole = ApparentHole::new(&player.scene).unwrap();
+        let ahead = player.scene.camera.tetrad_from_camera().z_axis;
+        // Around a hole that spins, the ray that comes from the hole is not in the middle of what is
+        // black, but it is in it.
+        let off = hole.direction.angle_between(ahead);
+        assert!(off < hole.radius, "{name}: {off}, {}", hole.radius);
     }
 }
 

@@ -182,6 +182,8 @@ pub enum AppCommand {
     TakeControls,
     /// Let the ship hold still. Only at its controls.
     Hover,
+    /// Look along the ship's nose, or at the hole. Only at its controls.
+    Look,
     /// Show or hide the map of the ship's path.
     Map,
     /// Open the menu at its list of missions.

@@ -14,6 +14,8 @@ pub enum ShipCommand {
     Hover,
     /// Turn the nose to the next heading.
     Face,
+    /// Look at the hole, or along the nose.
+    Look,
     /// Let time run faster.
     Faster,
     /// Let time run slower.
@@ -31,6 +33,7 @@ pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<Ship
         AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
         AppCommand::Hover => ShipCommand::Hover,
         AppCommand::Face => ShipCommand::Face,
+        AppCommand::Look => ShipCommand::Look,
         AppCommand::FasterTime => ShipCommand::Faster,
         AppCommand::SlowerTime => ShipCommand::Slower,
         AppCommand::Undo if on_mission => ShipCommand::Checkpoint,
@@ -43,6 +46,8 @@ pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<Ship
 pub(crate) fn key_at_helm(control: &Control) -> Action {
     match control.id {
         "scene.observer" => Action::Do(AppCommand::Hover),
+        // Another spin would leave the ship.
+        "scene.spin" => Action::Do(AppCommand::Look),
         _ => control.action,
     }
 }
@@ -55,7 +60,9 @@ pub(crate) fn button_at_helm(control: &Control) -> Action {
         "preset.previous" => AppCommand::SlowerTime,
         "preset.next" => AppCommand::FasterTime,
         "fly.orbit" => AppCommand::Hover,
-        "fly.face" => AppCommand::Map,
+        "fly.face" => AppCommand::Look,
+        // The menu has the help.
+        "window.help" => AppCommand::Map,
         _ => return key_at_helm(control),
     })
 }

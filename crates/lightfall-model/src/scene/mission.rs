@@ -12,8 +12,8 @@ pub use condition::{Comparison, Condition, Quantity};
 pub use error::MissionError;
 pub use load::load;
 pub use text::{
-    Better, Burn, Caption, Course, Ending, Face, Fail, Goal, Hint, HoleOfMission, Par, Push, Ship,
-    Start, Until,
+    Better, Burn, Caption, Course, Ending, Face, Fail, Goal, Hint, HoleOfMission, Look, Par, Push,
+    Ship, Start, Until,
 };
 
 use super::Scene;

@@ -74,7 +74,7 @@ pub(super) fn apply_ship_commands(
     mut commands: MessageReader<ShipCommand>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
-    preferences: Res<Preferences>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut editor: SceneEditor,
 ) {
     let units = preferences.settings.units();
@@ -101,6 +101,10 @@ pub(super) fn apply_ship_commands(
             ShipCommand::Face => {
                 let heading = ship.face_next();
                 editor.say(words::facing(heading, &flying));
+            }
+            ShipCommand::Look => {
+                let look = ship.switch_look();
+                editor.say(words::looking(look, &bindings));
             }
             ShipCommand::Faster | ShipCommand::Slower => {
                 let faster = *command == ShipCommand::Faster;

@@ -154,7 +154,7 @@ fn heading_of(number: usize, star: Option<DVec3>) -> Option<Heading> {
 
 /// The ship's axes with the nose along `direction` and up as near to decreasing theta as that allows,
 /// as columns on the present axes.
-fn level(ship: &Ship, direction: DVec3) -> DMat3 {
+pub(super) fn level(ship: &Ship, direction: DVec3) -> DMat3 {
     let north = Heading::Observer(DVec3::NEG_Y).direction(ship);
     let up = [north, Some(DVec3::Z)]
         .into_iter()

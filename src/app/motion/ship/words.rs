@@ -10,6 +10,7 @@ use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Heading, Hold};
+use lightfall_core::scene::mission::Look;
 
 /// A heading in words.
 pub(crate) fn heading_words(heading: Heading) -> &'static str {
@@ -36,6 +37,17 @@ pub(super) fn facing(heading: Option<Heading>, ship: &Ship) -> String {
         Some(Heading::Hole) => "Nose: to the hole".into(),
         Some(heading) => format!("Nose: {}", heading_words(heading)),
         None => "Nose: held by the gyroscopes".into(),
+    }
+}
+
+/// What the key that turns the pilot's head says.
+pub(super) fn looking(look: Look, bindings: &Bindings) -> String {
+    let key = bindings.first_label("scene.spin");
+    match look {
+        Look::Hole => {
+            format!("You look at the hole; the nose stays where it points ({key}: ahead)")
+        }
+        Look::Nose => format!("You look along the nose ({key}: at the hole)"),
     }
 }
 

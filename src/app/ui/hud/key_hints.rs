@@ -137,6 +137,7 @@ const SHIP_KEYS: &[Hint] = &[
         7,
     ),
     (&["fly.face"], "", "nose", 5),
+    (&["scene.spin"], "", "look", 4),
     (&["fly.orbit"], "", "orbit", 3),
     (&["scene.observer"], "", "still", 2),
     (&["motion.let_go"], "", "engine off", 4),

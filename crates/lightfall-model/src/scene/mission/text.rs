@@ -81,6 +81,9 @@ pub struct Start {
     /// star that lies straight outward from the hole at the start.
     #[serde(default)]
     pub star_deg: Option<[f64; 2]>,
+    /// What the pilot looks at.
+    #[serde(default)]
+    pub look: Look,
 }
 
 impl Start {
@@ -107,6 +110,16 @@ crate::words! {
         Outward = "outward",
         /// A star.
         Star = "star",
+    }
+}
+
+crate::words! {
+    /// What a ship's pilot looks at.
+    pub enum Look {
+        /// What is ahead of the nose.
+        Nose = "nose",
+        /// The hole, wherever the nose points, with the disk level.
+        Hole = "hole",
     }
 }
 
