@@ -73,7 +73,7 @@ impl Player {
 /// The nose of these missions points along the motion, where there is only sky.
 #[test]
 fn missions_that_begin_with_a_nose_away_from_the_hole_begin_with_the_hole_in_view() {
-    for name in ["two-burns", "sample"] {
+    for name in ["two-burns", "sample", "ten-years"] {
         let mut player = Player::begin(name);
         player.pass(0.0);
         let hole = ApparentHole::new(&player.scene).unwrap();

@@ -195,6 +195,33 @@ fn the_nose_turns_to_each_heading_follows_it_and_is_left_to_the_gyroscopes_again
     assert!(off(&ship) < 0.01);
 }
 
+#[test]
+fn the_nose_goes_back_through_the_row_of_headings_that_it_went_forward() {
+    let mut scene = scene_at(6.0, ObserverKind::Orbit);
+    let mut ship = aboard(&scene);
+    let row = [
+        Some(Heading::Hole),
+        Some(Heading::Prograde),
+        Some(Heading::Retrograde),
+        Some(Heading::Outward),
+    ];
+    for expected in row {
+        assert_eq!(ship.face_next(), expected);
+    }
+    coast(&mut ship, &mut scene, 180);
+    for expected in row.into_iter().rev().skip(1) {
+        assert_eq!(ship.face_back(), expected);
+    }
+    // Before the first one the gyroscopes hold the nose, and before them is the star ahead.
+    assert_eq!(ship.face_back(), None);
+    assert_eq!(ship.heading(), None);
+    assert!(matches!(ship.face_back(), Some(Heading::Star(_))));
+    assert_eq!(ship.face_back(), Some(Heading::Outward));
+    // A nose that points to the hole has no star ahead.
+    let mut ship = aboard(&scene_at(6.0, ObserverKind::Orbit));
+    assert_eq!(ship.face_back(), Some(Heading::Outward));
+}
+
 /// The direction of a heading on the camera's axes right, up, forward, by the scene alone: the camera's
 /// own axes as a ship's nose, left and up.
 fn seen(heading: Heading, scene: &Scene) -> DVec3 {

@@ -14,6 +14,8 @@ pub enum ShipCommand {
     Hover,
     /// Turn the nose to the next heading.
     Face,
+    /// Turn the nose to the heading before.
+    FaceBack,
     /// Look at the hole, or along the nose.
     Look,
     /// Let time run faster.
@@ -33,6 +35,7 @@ pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<Ship
         AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
         AppCommand::Hover => ShipCommand::Hover,
         AppCommand::Face => ShipCommand::Face,
+        AppCommand::FaceBack => ShipCommand::FaceBack,
         AppCommand::Look => ShipCommand::Look,
         AppCommand::FasterTime => ShipCommand::Faster,
         AppCommand::SlowerTime => ShipCommand::Slower,
@@ -46,6 +49,7 @@ pub(crate) fn ship_command(command: AppCommand, on_mission: bool) -> Option<Ship
 pub(crate) fn key_at_helm(control: &Control) -> Action {
     match control.id {
         "scene.observer" => Action::Do(AppCommand::Hover),
+        "fly.face_back" => Action::Do(AppCommand::FaceBack),
         // Another spin would leave the ship.
         "scene.spin" => Action::Do(AppCommand::Look),
         _ => control.action,

@@ -110,6 +110,9 @@ pub(super) fn apply_pressed_controls(
             Action::Do(AppCommand::TakeControls) if is_thrusting(&keys, &bindings) => {
                 commands.send(AppCommand::LetGo);
             }
+            Action::Do(AppCommand::FaceBack) if is_thrusting(&keys, &bindings) => {
+                commands.send(AppCommand::Face);
+            }
             Action::Do(command) => commands.send(command),
             _ => apply(control, &input, &mut editor, &bindings),
         }

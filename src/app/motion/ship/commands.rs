@@ -85,8 +85,9 @@ pub(super) fn apply_ship_commands(
         let flying = voyage.flight.ship;
         match command {
             ShipCommand::EngineOff => {
+                let followed = ship.heading();
                 ship.engine_off();
-                editor.say("Engine off: you fall freely");
+                editor.say(words::engine_off(followed));
             }
             ShipCommand::HoldOrbit | ShipCommand::Hover => {
                 let kind = match command {
@@ -98,8 +99,11 @@ pub(super) fn apply_ship_commands(
                     Err(refusal) => capitalised(&refusal.to_string()),
                 });
             }
-            ShipCommand::Face => {
-                let heading = ship.face_next();
+            ShipCommand::Face | ShipCommand::FaceBack => {
+                let heading = match command {
+                    ShipCommand::Face => ship.face_next(),
+                    _ => ship.face_back(),
+                };
                 editor.say(words::facing(heading, &flying));
             }
             ShipCommand::Look => {

@@ -83,6 +83,24 @@ impl Nose {
                 return None;
             }
         }
+        self.turn_to_last(ship)
+    }
+
+    /// As [`step`](Self::step), to the heading before: the way back through the same row.
+    pub fn step_back(&mut self, ship: &Ship) -> Option<Heading> {
+        if self.state != State::Free && self.last == 0 {
+            self.state = State::Free;
+            return None;
+        }
+        self.last = (self.last + HEADINGS - 1) % HEADINGS;
+        self.turn_to_last(ship).or_else(|| {
+            // There is no star ahead.
+            self.last = STAR - 1;
+            self.turn_to_last(ship)
+        })
+    }
+
+    fn turn_to_last(&mut self, ship: &Ship) -> Option<Heading> {
         if self.last == STAR {
             self.star = star_ahead(ship).or(self.star);
         }

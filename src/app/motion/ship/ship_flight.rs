@@ -209,6 +209,12 @@ impl ShipFlight {
         aboard.nose.step(aboard.flown.ship())
     }
 
+    /// Turns the nose to the heading before. `None` if the gyroscopes hold it from now on.
+    pub fn face_back(&mut self) -> Option<Heading> {
+        let aboard = self.aboard.as_mut()?;
+        aboard.nose.step_back(aboard.flown.ship())
+    }
+
     /// Switches the engine off, and ends what holds and turns the ship.
     pub fn engine_off(&mut self) {
         if let Some(aboard) = &mut self.aboard {
