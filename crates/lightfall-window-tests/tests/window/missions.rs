@@ -387,3 +387,52 @@ fn the_path_ahead_is_a_line_in_the_picture_until_the_controls_are_left() {
     });
     desktop.end_without_error();
 }
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_preset_key_leaves_a_mission_only_when_it_is_pressed_again() {
+    let desktop = begin();
+    desktop.press("4");
+    desktop.wait_for("the question", |state| {
+        state.mentions("4 leaves the mission: press 4 again")
+    });
+    assert_eq!(ship(&desktop.state()).mission[0], "two-burns");
+    // Another preset's key is a first press again.
+    desktop.press("5");
+    let asked = desktop.wait_for("the other question", |state| {
+        state.mentions("5 leaves the mission: press 5 again")
+    });
+    assert_eq!(ship(&asked).mission[0], "two-burns");
+    desktop.press("5");
+    desktop.wait_for("preset 5", |state| {
+        state.ship.is_none() && state.scene["name"] == "einstein-ring"
+    });
+    desktop.end_without_error();
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn at_the_controls_the_keys_that_look_and_turn_say_what_they_do_and_the_help_lists_them() {
+    let desktop = begin();
+    desktop.press("t");
+    desktop.wait_for("the look ahead", |state| {
+        state.mentions("You look along the nose")
+    });
+    desktop.press("t");
+    desktop.wait_for("the look at the hole", |state| {
+        state.mentions("You look at the hole") && state.shows("nose")
+    });
+    desktop.press("shift+y");
+    wait_for(&desktop, "the heading before", |ship| {
+        ship.heading == "Prograde"
+    });
+    desktop.wait_for("the row of headings", |state| {
+        state.mentions("hole · [prograde] · retrograde")
+    });
+    desktop.press("F1");
+    desktop.wait_for("the ship's keys", |state| {
+        state.shows("At the ship's controls") && state.shows("nose: next heading, back")
+    });
+    desktop.press("F1");
+    desktop.end_without_error();
+}

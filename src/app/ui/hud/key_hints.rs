@@ -195,7 +195,7 @@ pub(super) fn show_key_hints(
 fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) {
     let key = |id: &&str| match *id {
         MOUSE => MOUSE.to_owned(),
-        id => bindings.first_label(id),
+        id => bindings.first_name(id),
     };
     let mut right = 0.0;
     for (ids, between, does, _) in hints {

@@ -78,11 +78,11 @@ impl MenuActions<'_> {
                     0 => "no stop yet".into(),
                     _ => format!("{stops}{saved}"),
                 };
-                let key = bindings.first_label(&control);
+                let key = bindings.first_name(&control);
                 [format!("{name}: {state}"), key]
             }
             MenuEntry::Place(_) => [name, bindings.label(&control)],
-            _ => [name, bindings.first_label(&control)],
+            _ => [name, bindings.first_name(&control)],
         }
     }
 
