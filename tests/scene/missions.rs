@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 use lightfall::app::{
-    FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, control_named, lamps,
+    Bindings, FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, control_named, lamps,
     solution_time,
 };
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
-use lightfall_core::scene::mission::{self, MISSIONS, Quantity};
+use lightfall_core::scene::mission::{self, MISSIONS, MissionKey, Quantity};
 
 /// A frame of a slow machine.
 const FRAME: f64 = 0.05;
@@ -183,6 +183,30 @@ fn captions_name_controls_that_exist() {
                 assert!(control_named(id).is_some(), "{name}: {id}");
             }
         }
+    }
+}
+
+/// The card at the start lists controls that exist, and names in braces stand for keys.
+#[test]
+fn keys_that_a_mission_can_need_are_controls_and_texts_have_their_names() {
+    for id in MissionKey::WORDS {
+        assert!(control_named(id).is_some(), "{id}");
+    }
+    for (name, text) in MISSIONS {
+        let keys = mission::load(name, text).unwrap().keys;
+        assert!(keys.is_some_and(|keys| !keys.is_empty()), "{name}");
+    }
+    let bindings = Bindings::default();
+    for (text, words) in [
+        ("Hold {fly.forward}: it brakes.", "Hold W: it brakes."),
+        (
+            "let go. {motion.faster} lets time run faster",
+            "let go. \".\" lets time run faster",
+        ),
+        ("{fly.left}{fly.right}", "AD"),
+        ("{fly.nowhere} and { and {", "{fly.nowhere} and { and {"),
+    ] {
+        assert_eq!(bindings.with_keys(text), words);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The tables of a mission's text.
 
-use super::{Condition, Quantity};
+use super::{Condition, MissionKey, Quantity};
 use crate::scene::ObserverKind;
 use crate::scene::question::Question;
 use serde::Deserialize;
@@ -20,6 +20,7 @@ pub(super) struct Text {
     pub(super) brief: String,
     #[serde(default)]
     pub(super) teaches: String,
+    pub(super) keys: Option<Vec<MissionKey>>,
     pub(super) goal: Vec<Goal>,
     #[serde(default)]
     pub(super) fail: Vec<Fail>,
