@@ -436,3 +436,36 @@ fn at_the_controls_the_keys_that_look_and_turn_say_what_they_do_and_the_help_lis
     desktop.press("F1");
     desktop.end_without_error();
 }
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_menu_takes_and_leaves_the_ship_and_says_what_missions_teach() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.press("Escape");
+    desktop.wait_for("the menu", |state| {
+        state.menu && state.shows("Fly the ship")
+    });
+    for key in ["Down", "Down", "Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the ship", |state| !state.menu && state.ship.is_some());
+    desktop.press("Escape");
+    desktop.wait_for("the menu at the controls", |state| {
+        state.shows("Leave the ship") && !state.shows("Fly the ship")
+    });
+    for key in ["Down", "Down", "Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("no ship", |state| !state.menu && state.ship.is_none());
+    // The list of missions says what the chosen one teaches, and which lamps are lit: none yet.
+    desktop.press("shift+j");
+    desktop.wait_for("what the first one teaches", |state| {
+        state.mentions("A ship that brakes comes down.") && state.mentions("○○○")
+    });
+    desktop.press("Down");
+    desktop.wait_for("what the second one teaches", |state| {
+        state.mentions("Free fall has no weight.")
+    });
+    desktop.end_without_error();
+}
