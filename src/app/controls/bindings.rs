@@ -290,24 +290,6 @@ impl<B: Bindable> BindingTable<B> {
             .unwrap_or_default()
     }
 
-    /// The name of the first input of the control with this name, as a sentence has it: a punctuation
-    /// mark in quotes, since it would otherwise be read as one. Empty as [`label`](Self::label) is.
-    #[must_use]
-    pub fn first_label(&self, id: &str) -> String {
-        let name = self.first_name(id);
-        let is_mark = !name.is_empty() && name.chars().all(|c| c.is_ascii_punctuation());
-        if is_mark { format!("\"{name}\"") } else { name }
-    }
-
-    /// The name of the first input of the control with this name, where it stands as a key by itself.
-    /// Empty as [`label`](Self::label) is.
-    #[must_use]
-    pub fn first_name(&self, id: &str) -> String {
-        // A comma may be a key itself.
-        let names = self.label(id);
-        names.split(", ").next().unwrap_or_default().to_owned()
-    }
-
     /// The names of a control's inputs, for example `F12, Print`. Keys are called by what the
     /// keyboard's layout prints on them.
     #[must_use]
