@@ -67,6 +67,7 @@ pub use ui::hud::{
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};
 pub use ui::panel::flight_error;
+pub use ui::ship_help::ship_rows;
 
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;

@@ -1,7 +1,9 @@
 //! Keyboards of other layouts: which key each control has there, and what it is called.
 
 use bevy::prelude::KeyCode;
-use lightfall::app::{Action, Bindings, CONTROLS, Group, KeyLabels, Modifier, PRINTED, help_rows};
+use lightfall::app::{
+    Action, Bindings, CONTROLS, Group, KeyLabels, Modifier, PRINTED, help_rows, ship_rows,
+};
 use std::collections::BTreeMap;
 
 /// What the keys of `PRINTED` type, row by row from the key left of the 1: a blank is a key that
@@ -97,8 +99,15 @@ fn keys_are_called_by_what_the_layout_prints() {
     ] {
         let bindings = bound(layout);
         assert_eq!(bindings.of(id)[0], key, "{layout}: {id}");
-        assert_eq!(bindings.first_label(id), label, "{layout}: {id}");
+        assert_eq!(bindings.first_name(id), label, "{layout}: {id}");
     }
+    // In a sentence a punctuation mark would end it.
+    let us = bound("US");
+    assert_eq!(us.first_name("motion.faster"), ".");
+    assert_eq!(us.first_label("motion.faster"), "\".\"");
+    assert_eq!(us.first_label("motion.slower"), "\",\"");
+    assert_eq!(us.first_label("fly.forward"), "W");
+    assert_eq!(us.first_label("window.fullscreen"), "Alt+Enter");
     let help = help_rows(&bound("French"), Group::Flight);
     assert!(
         help.contains(&["Z Q S D".to_owned(), "fly".to_owned()]),
@@ -164,4 +173,36 @@ fn a_layout_is_learned_from_what_its_keys_type() {
     swapped.learn(KeyCode::KeyY, 'z');
     assert_eq!(swapped.place_of(KeyCode::KeyY), KeyCode::KeyZ);
     assert_eq!(swapped.place_of(KeyCode::KeyZ), KeyCode::KeyY);
+}
+
+#[test]
+fn at_the_ships_controls_the_help_lists_what_its_keys_do_there_and_on_a_mission_two_more() {
+    let bindings = Bindings::default();
+    let rows = ship_rows(&bindings, false);
+    let keys_of = |does: &str| {
+        let row = rows.iter().find(|[_, words]| words == does);
+        row.map(|[keys, _]| keys.as_str())
+    };
+    for (does, keys) in [
+        ("nose: next heading, back", "Y Shift+Y"),
+        ("look at the hole, along the nose", "T"),
+        ("hold still", "O"),
+        ("turn the ship", "arrow keys"),
+        ("the thrust that is set", "wheel"),
+        ("time slower, faster", ", ."),
+        ("leave the ship", "Shift+F"),
+    ] {
+        assert_eq!(keys_of(does), Some(keys), "{does}");
+    }
+    let on_mission = ship_rows(&bindings, true);
+    assert_eq!(on_mission[..rows.len()], rows);
+    let more: Vec<&str> = on_mission[rows.len()..]
+        .iter()
+        .map(|[keys, _]| keys.as_str())
+        .collect();
+    assert_eq!(more, ["Backspace", "Enter"]);
+    // A control without a key has no row.
+    let unbound = [("ship.map".to_owned(), Vec::new())].into();
+    let bindings = Bindings::new(&unbound, &KeyLabels::default()).unwrap();
+    assert_eq!(ship_rows(&bindings, false).len(), rows.len() - 1);
 }

@@ -16,6 +16,9 @@ fn the_selection_goes_round_and_ends_at_quit() {
     let count = menu.entries().len() as i32;
     menu.step(count + 1);
     assert_eq!(menu.selected(), MenuEntry::Places);
+    // The ship is found without its key.
+    menu.select(MenuEntry::Ship);
+    assert_eq!(menu.selected(), MenuEntry::Ship);
 }
 
 #[test]

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 use lightfall::app::{
-    FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted, control_named,
-    instruments, lamps, map_half_width, next_not_reached, solution_time, wanted,
+    Bindings, FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted,
+    control_named, instruments, lamps, map_half_width, next_not_reached, solution_time, wanted,
 };
+use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
-use lightfall_core::scene::mission::{self, MISSIONS, Quantity};
+use lightfall_core::scene::mission::{self, MISSIONS, MissionKey, Quantity};
 
 /// A frame of a slow machine.
 const FRAME: f64 = 0.05;
@@ -68,6 +69,21 @@ impl Player {
 
     fn outcome(&self) -> Outcome {
         self.ship.attempt().unwrap().outcome()
+    }
+}
+
+/// The nose of these missions points along the motion, where there is only sky.
+#[test]
+fn missions_that_begin_with_a_nose_away_from_the_hole_begin_with_the_hole_in_view() {
+    for name in ["two-burns", "sample", "ten-years"] {
+        let mut player = Player::begin(name);
+        player.pass(0.0);
+        let hole = ApparentHole::new(&player.scene).unwrap();
+        let ahead = player.scene.camera.tetrad_from_camera().z_axis;
+        // Around a hole that spins, the ray that comes from the hole is not in the middle of what is
+        // black, but it is in it.
+        let off = hole.direction.angle_between(ahead);
+        assert!(off < hole.radius, "{name}: {off}, {}", hole.radius);
     }
 }
 
@@ -263,6 +279,30 @@ fn captions_name_controls_that_exist() {
                 assert!(control_named(id).is_some(), "{name}: {id}");
             }
         }
+    }
+}
+
+/// The card at the start lists controls that exist, and names in braces stand for keys.
+#[test]
+fn keys_that_a_mission_can_need_are_controls_and_texts_have_their_names() {
+    for id in MissionKey::WORDS {
+        assert!(control_named(id).is_some(), "{id}");
+    }
+    for (name, text) in MISSIONS {
+        let keys = mission::load(name, text).unwrap().keys;
+        assert!(keys.is_some_and(|keys| !keys.is_empty()), "{name}");
+    }
+    let bindings = Bindings::default();
+    for (text, words) in [
+        ("Hold {fly.forward}: it brakes.", "Hold W: it brakes."),
+        (
+            "let go. {motion.faster} lets time run faster",
+            "let go. \".\" lets time run faster",
+        ),
+        ("{fly.left}{fly.right}", "AD"),
+        ("{fly.nowhere} and { and {", "{fly.nowhere} and { and {"),
+    ] {
+        assert_eq!(bindings.with_keys(text), words);
     }
 }
 

@@ -8,7 +8,8 @@ use lightfall::app::{
 use lightfall_core::geometry::observer::min_infall_radius;
 use lightfall_core::optics::readout::si::MASSES;
 use lightfall_core::optics::readout::units::Units;
-use lightfall_core::optics::ship::{Apsides, Heading, Hold, HoldRefusal, Rocket};
+use lightfall_core::optics::ship::{Apsides, Heading, Hold, HoldRefusal, Mount, Rocket, board};
+use lightfall_core::scene::mission::Look;
 use lightfall_core::scene::{ObserverKind, Scene, presets};
 
 const FRAME: f64 = 1.0 / 60.0;
@@ -192,6 +193,113 @@ fn the_nose_turns_to_each_heading_follows_it_and_is_left_to_the_gyroscopes_again
     pass(&mut ship, &mut scene, &at_once);
     // In a frame the motion turns by a hundredth at most.
     assert!(off(&ship) < 0.01);
+}
+
+#[test]
+fn the_nose_goes_back_through_the_row_of_headings_that_it_went_forward() {
+    let mut scene = scene_at(6.0, ObserverKind::Orbit);
+    let mut ship = aboard(&scene);
+    let row = [
+        Some(Heading::Hole),
+        Some(Heading::Prograde),
+        Some(Heading::Retrograde),
+        Some(Heading::Outward),
+    ];
+    for expected in row {
+        assert_eq!(ship.face_next(), expected);
+    }
+    coast(&mut ship, &mut scene, 180);
+    for expected in row.into_iter().rev().skip(1) {
+        assert_eq!(ship.face_back(), expected);
+    }
+    // Before the first one the gyroscopes hold the nose, and before them is the star ahead.
+    assert_eq!(ship.face_back(), None);
+    assert_eq!(ship.heading(), None);
+    assert!(matches!(ship.face_back(), Some(Heading::Star(_))));
+    assert_eq!(ship.face_back(), Some(Heading::Outward));
+    // A nose that points to the hole has no star ahead.
+    let mut ship = aboard(&scene_at(6.0, ObserverKind::Orbit));
+    assert_eq!(ship.face_back(), Some(Heading::Outward));
+}
+
+/// The direction of a heading on the camera's axes right, up, forward, by the scene alone: the camera's
+/// own axes as a ship's nose, left and up.
+fn seen(heading: Heading, scene: &Scene) -> DVec3 {
+    let camera = board(scene, &Mount::NOSE).unwrap();
+    Mount::NOSE.0.transpose() * heading.direction(&camera).unwrap()
+}
+
+#[test]
+fn a_pilot_who_looks_at_the_hole_sees_it_level_in_the_middle_while_the_ship_flies_as_without_the_look()
+ {
+    for heading in [Heading::Prograde, Heading::Retrograde, Heading::Outward] {
+        let ends = [false, true].map(|looks| {
+            let mut scene = scene_at(8.0, ObserverKind::Orbit);
+            let mut ship = aboard(&scene);
+            while ship.face_next() != Some(heading) {}
+            coast(&mut ship, &mut scene, 180);
+            if looks {
+                assert_eq!(ship.switch_look(), Look::Hole);
+            }
+            // Longer than the head needs to turn, and with thrust along the nose.
+            for _ in 0..60 {
+                pass(&mut ship, &mut scene, &frame(FRAME, push(0.1 * DVec3::X)));
+            }
+            (ship, scene)
+        });
+        let [(plain, _), (ship, scene)] = &ends;
+        assert_eq!(
+            plain.voyage().unwrap().flight.ship,
+            ship.voyage().unwrap().flight.ship
+        );
+        let hole = seen(Heading::Hole, scene);
+        assert!(hole.distance(DVec3::Z) < 1e-9, "{heading:?}: {hole}");
+        let up = scene.camera.tetrad_from_camera().y_axis;
+        assert!(up.distance(DVec3::NEG_Y) < 1e-9, "{heading:?}: {up}");
+        // The marks are drawn by the mount: they are where the picture has their directions.
+        let flown = &ship.voyage().unwrap().flight.ship;
+        let marked = ship.mount().0.transpose() * heading.direction(flown).unwrap();
+        let off = marked.distance(seen(heading, scene));
+        assert!(off < 1e-9, "{heading:?}: {off}");
+    }
+}
+
+#[test]
+fn the_head_turns_back_to_the_nose_and_leaving_the_ship_keeps_the_picture_that_is_seen() {
+    let start = scene_at(8.0, ObserverKind::Orbit);
+    let mut ship = aboard(&start);
+    let mut scene = start.clone();
+    ship.face_next();
+    ship.face_next();
+    coast(&mut ship, &mut scene, 180);
+    let ahead = scene.camera.angles();
+    let still = frame(0.0, Stick::NEUTRAL);
+    let turning = ShipFrame {
+        turn_seconds: 1.0,
+        ..still
+    };
+    ship.switch_look();
+    for _ in 0..4 {
+        pass(&mut ship, &mut scene, &turning);
+    }
+    let at_hole = scene.camera.angles();
+    assert_ne!(at_hole, ahead);
+    // A scene that becomes a ship becomes the same scene again, whatever was looked at.
+    let mut again = scene.clone();
+    let mut boarded = aboard(&again);
+    assert_eq!(boarded.look(), Look::Nose);
+    pass(&mut boarded, &mut again, &still);
+    let rounding = 1e-9;
+    for (one, other) in at_hole.into_iter().zip(again.camera.angles()) {
+        assert!((one - other).abs() < rounding, "{one} and {other} degrees");
+    }
+    assert_eq!(ship.switch_look(), Look::Nose);
+    for _ in 0..4 {
+        pass(&mut ship, &mut scene, &turning);
+    }
+    for (one, other) in ahead.into_iter().zip(scene.camera.angles()) {
+        assert!((one - other).abs() < rounding, "{one} and {other} degrees");
+    }
 }
 
 #[test]

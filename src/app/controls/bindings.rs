@@ -290,14 +290,6 @@ impl<B: Bindable> BindingTable<B> {
             .unwrap_or_default()
     }
 
-    /// The name of the first input of the control with this name. Empty as [`label`](Self::label) is.
-    #[must_use]
-    pub fn first_label(&self, id: &str) -> String {
-        // A comma may be a key itself.
-        let names = self.label(id);
-        names.split(", ").next().unwrap_or_default().to_owned()
-    }
-
     /// The names of a control's inputs, for example `F12, Print`. Keys are called by what the
     /// keyboard's layout prints on them.
     #[must_use]

@@ -182,6 +182,10 @@ pub enum AppCommand {
     TakeControls,
     /// Let the ship hold still. Only at its controls.
     Hover,
+    /// Turn the ship's nose to the heading before. Only at its controls.
+    FaceBack,
+    /// Look along the ship's nose, or at the hole. Only at its controls.
+    Look,
     /// Show or hide the map of the ship's path.
     Map,
     /// Open the menu at its list of missions.

@@ -14,6 +14,10 @@ pub enum ShipCommand {
     Hover,
     /// Turn the nose to the next heading.
     Face,
+    /// Turn the nose to the heading before.
+    FaceBack,
+    /// Look at the hole, or along the nose.
+    Look,
     /// Let time run faster.
     Faster,
     /// Let time run slower.
@@ -38,6 +42,8 @@ pub(crate) fn ship_command(
         AppCommand::OrbitCamera => ShipCommand::HoldOrbit,
         AppCommand::Hover => ShipCommand::Hover,
         AppCommand::Face => ShipCommand::Face,
+        AppCommand::FaceBack => ShipCommand::FaceBack,
+        AppCommand::Look => ShipCommand::Look,
         AppCommand::FasterTime => ShipCommand::Faster,
         AppCommand::SlowerTime => ShipCommand::Slower,
         AppCommand::Undo if on_mission => ShipCommand::Checkpoint,
@@ -51,6 +57,9 @@ pub(crate) fn ship_command(
 pub(crate) fn key_at_helm(control: &Control) -> Action {
     match control.id {
         "scene.observer" => Action::Do(AppCommand::Hover),
+        "fly.face_back" => Action::Do(AppCommand::FaceBack),
+        // Another spin would leave the ship.
+        "scene.spin" => Action::Do(AppCommand::Look),
         _ => control.action,
     }
 }
@@ -63,7 +72,9 @@ pub(crate) fn button_at_helm(control: &Control) -> Action {
         "preset.previous" => AppCommand::SlowerTime,
         "preset.next" => AppCommand::FasterTime,
         "fly.orbit" => AppCommand::Hover,
-        "fly.face" => AppCommand::Map,
+        "fly.face" => AppCommand::Look,
+        // The menu has the help.
+        "window.help" => AppCommand::Map,
         _ => return key_at_helm(control),
     })
 }

@@ -16,3 +16,4 @@ pub(crate) mod refusal;
 pub(crate) mod sections;
 pub(crate) mod statement;
 pub(crate) mod table;
+mod text_keys;

@@ -64,6 +64,7 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.faster" [ShiftLeft, ShiftRight] "fly faster" Hold(FlightInput::Faster);
         "fly.slower" [AltLeft, AltRight] "fly slower" Hold(FlightInput::Slower);
         "fly.face" [KeyY] "face the hole, or outward" Do(AppCommand::Face);
+        "fly.face_back" Shift + [KeyY] "face the hole, or outward" Do(AppCommand::Face);
         "fly.orbit" [KeyK] "orbit camera: round the hole" Do(AppCommand::OrbitCamera);
         "fly.narrower" [BracketLeft] "field of view" Hold(FlightInput::Narrower);
         "fly.wider" [BracketRight] "field of view" Hold(FlightInput::Wider);

@@ -3,6 +3,7 @@
 use super::clicks::hold_keys_after_click;
 use super::gamepad::Pads;
 use super::held::ClaimedKeys;
+use super::second_press::{SecondPress, WAIT};
 use super::typing::{MouseOverPanel, Typing, types_numbers};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, FlightInput, Modifier};
@@ -12,7 +13,7 @@ use crate::app::controls::helm::{button_at_helm, key_at_helm};
 use crate::app::controls::key_feedback::remark;
 use crate::app::controls::lesson::{button_in_lesson, key_in_lesson};
 use crate::app::controls::statement::statement;
-use crate::app::state::helm::CommandSender;
+use crate::app::state::helm::{CommandSender, Helm};
 use crate::app::state::lessons::LessonUnderWay;
 use crate::app::state::missions::AskedQuestion;
 use crate::app::state::scene_editor::SceneEditor;
@@ -43,6 +44,7 @@ pub(super) fn apply_pressed_controls(
     mut editor: SceneEditor,
     mut commands: CommandSender,
     mut waiting: Local<Vec<(KeyCode, Option<Modifier>)>>,
+    (time, mut second_press): (Res<Time<Real>>, Local<SecondPress>),
 ) {
     let listens = !typing.has_keyboard && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
     let inputs: Vec<&KeyboardInput> = inputs.read().collect();
@@ -78,6 +80,7 @@ pub(super) fn apply_pressed_controls(
         by_panel(press) || asks && types_numbers(press.0) && press.1.is_none()
     };
     let has_ship = commands.helm.has_ship();
+    let on_mission = *commands.helm == Helm::Mission;
     let [key_action, button_action]: [fn(&Control) -> Action; 2] = if has_ship {
         [key_at_helm, button_at_helm]
     } else if lesson.is_flown {
@@ -110,7 +113,17 @@ pub(super) fn apply_pressed_controls(
             Action::Do(AppCommand::TakeControls) if is_thrusting(&keys, &bindings) => {
                 commands.send(AppCommand::LetGo);
             }
+            Action::Do(AppCommand::FaceBack) if is_thrusting(&keys, &bindings) => {
+                commands.send(AppCommand::Face);
+            }
             Action::Do(command) => commands.send(command),
+            // A wrong digit is near W and Q, and a mission cannot be taken up again.
+            Action::Load(_) | Action::StepPreset(_)
+                if on_mission && !second_press.confirms(control.id, time.elapsed()) =>
+            {
+                let words = format!("{input} leaves the mission: press {input} again");
+                editor.say_for(WAIT, words);
+            }
             _ => apply(control, &input, &mut editor, &bindings),
         }
     }

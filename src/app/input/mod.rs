@@ -9,5 +9,6 @@ pub(crate) mod key_modifiers;
 pub(crate) mod keyboard;
 pub(crate) mod layout;
 pub(crate) mod pointer;
+mod second_press;
 pub(crate) mod touch;
 pub(crate) mod typing;

@@ -12,6 +12,8 @@ pub enum MenuEntry {
     Missions,
     Lessons,
     Journey,
+    /// Take the controls of the ship, or leave them.
+    Ship,
     LetGo,
     Help,
     /// Open the panel on its page of settings.
@@ -34,12 +36,13 @@ pub enum MenuEntry {
 }
 
 /// The entries of the first list.
-const MAIN: [MenuEntry; 11] = [
+const MAIN: [MenuEntry; 12] = [
     MenuEntry::Resume,
     MenuEntry::Places,
     MenuEntry::Missions,
     MenuEntry::Lessons,
     MenuEntry::Journey,
+    MenuEntry::Ship,
     MenuEntry::LetGo,
     MenuEntry::Help,
     MenuEntry::Settings,

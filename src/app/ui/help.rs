@@ -1,10 +1,12 @@
 //! The help: a list of every control, made from the table of controls.
 
+use super::ship_help::{AT_HELM, ship_pad_rows, ship_rows};
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 use crate::app::controls::control::Group::{self, Flight, Light, Picture, Scene, View, Window};
 use crate::app::controls::control::{Control, Modifier};
 use crate::app::input::gamepad::Pads;
 use crate::app::input::touch::Fingers;
+use crate::app::state::helm::Helm;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -123,7 +125,7 @@ fn show_help(
     mut overlays: ResMut<Overlays>,
     bindings: Res<Bindings>,
     buttons: Res<PadBindings>,
-    (pads, fingers): (Pads, Res<Fingers>),
+    (pads, fingers, helm): (Pads, Res<Fingers>, Res<Helm>),
 ) -> Result {
     if !overlays.help || overlays.hidden {
         return Ok(());
@@ -139,6 +141,7 @@ fn show_help(
         .into_iter()
         .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
         .unwrap_or(sets[3]);
+    let on_mission = *helm == Helm::Mission;
     egui::Window::new(HELP)
         .open(&mut overlays.help)
         .order(egui::Order::Foreground)
@@ -156,11 +159,18 @@ fn show_help(
                         ui.spacing_mut().item_spacing.x = COLUMN_GAP;
                         for (place, groups) in columns.iter().enumerate() {
                             ui.vertical(|ui| {
+                                if helm.has_ship() && place == 0 {
+                                    table(ui, AT_HELM, ship_rows(&bindings, on_mission));
+                                }
                                 groups.iter().for_each(|group| {
                                     table(ui, group.title(), help_rows(&bindings, *group))
                                 });
                                 if pads.any() && place + 1 == columns.len() {
-                                    table(ui, "Gamepad", pad_rows(&buttons));
+                                    let rows = match helm.has_ship() {
+                                        true => ship_pad_rows(&buttons),
+                                        false => pad_rows(&buttons),
+                                    };
+                                    table(ui, "Gamepad", rows);
                                 }
                                 if fingers.seen && place + 1 == columns.len() {
                                     table(ui, "Touch", rows_of(FINGERS));

@@ -17,6 +17,7 @@ pub(crate) mod panel;
 pub(crate) mod photo_mode;
 pub(crate) mod picture_in_window;
 pub(crate) mod screen;
+pub(crate) mod ship_help;
 pub(crate) mod star_names;
 pub(crate) mod theme;
 pub(crate) mod touch_bar;

@@ -57,7 +57,7 @@ fn apply_photo_mode(
 fn keys_in_words(bindings: &Bindings) -> String {
     let lines = KEYS.map(|line| {
         let entries = line.iter().filter_map(|(ids, does)| {
-            let keys = ids.iter().map(|id| bindings.first_label(id));
+            let keys = ids.iter().map(|id| bindings.first_name(id));
             let keys: Vec<_> = keys.filter(|key| !key.is_empty()).collect();
             (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))
         });

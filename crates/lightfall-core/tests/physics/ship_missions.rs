@@ -235,6 +235,21 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
             ["start.star_deg: phi = inf", "a finite number"],
         ),
         (
+            "\"fly.left\"",
+            "\"fly.lefft\"",
+            ["unknown variant `fly.lefft`", "`fly.left`"],
+        ),
+        (
+            "\"fly.left\"",
+            "\"fly.forward\"",
+            ["keys lists \"fly.forward\" twice", "once"],
+        ),
+        (
+            "\"fly.left\"",
+            "\"fly.up\", \"fly.down\", \"ship.map\", \"motion.pause\"",
+            ["number of keys = 11", "at most 10"],
+        ),
+        (
             "until = \"r <= 8\"",
             "until = \"r <= 8\"\nfor = 3",
             ["solution 2 has several", "until and for"],

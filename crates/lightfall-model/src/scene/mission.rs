@@ -5,15 +5,17 @@
 
 mod condition;
 mod error;
+mod keys;
 mod load;
 mod text;
 
 pub use condition::{Comparison, Condition, Quantity};
 pub use error::MissionError;
+pub use keys::MissionKey;
 pub use load::load;
 pub use text::{
-    Better, Burn, Caption, Course, Ending, Face, Fail, Goal, Hint, HoleOfMission, Par, Push, Ship,
-    Start, Until,
+    Better, Burn, Caption, Course, Ending, Face, Fail, Goal, Hint, HoleOfMission, Look, Par, Push,
+    Ship, Start, Until,
 };
 
 use super::Scene;
@@ -39,6 +41,8 @@ pub struct Mission {
     pub brief: String,
     /// What a teacher can show with it.
     pub teaches: String,
+    /// The keys that the card at the start lists. `None` for the usual ones.
+    pub keys: Option<Vec<MissionKey>>,
     /// What to reach, in order.
     pub goals: Vec<Goal>,
     /// What ends the mission without success.

@@ -387,3 +387,85 @@ fn the_path_ahead_is_a_line_in_the_picture_until_the_controls_are_left() {
     });
     desktop.end_without_error();
 }
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_preset_key_leaves_a_mission_only_when_it_is_pressed_again() {
+    let desktop = begin();
+    desktop.press("4");
+    desktop.wait_for("the question", |state| {
+        state.mentions("4 leaves the mission: press 4 again")
+    });
+    assert_eq!(ship(&desktop.state()).mission[0], "two-burns");
+    // Another preset's key is a first press again.
+    desktop.press("5");
+    let asked = desktop.wait_for("the other question", |state| {
+        state.mentions("5 leaves the mission: press 5 again")
+    });
+    assert_eq!(ship(&asked).mission[0], "two-burns");
+    desktop.press("5");
+    desktop.wait_for("preset 5", |state| {
+        state.ship.is_none() && state.scene["name"] == "einstein-ring"
+    });
+    desktop.end_without_error();
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn at_the_controls_the_keys_that_look_and_turn_say_what_they_do_and_the_help_lists_them() {
+    let desktop = begin();
+    desktop.press("t");
+    desktop.wait_for("the look ahead", |state| {
+        state.mentions("You look along the nose")
+    });
+    desktop.press("t");
+    desktop.wait_for("the look at the hole", |state| {
+        state.mentions("You look at the hole") && state.shows("nose")
+    });
+    desktop.press("shift+y");
+    wait_for(&desktop, "the heading before", |ship| {
+        ship.heading == "Prograde"
+    });
+    desktop.wait_for("the row of headings", |state| {
+        state.mentions("hole · [prograde] · retrograde")
+    });
+    desktop.press("F1");
+    desktop.wait_for("the ship's keys", |state| {
+        state.shows("At the ship's controls") && state.shows("nose: next heading, back")
+    });
+    desktop.press("F1");
+    desktop.end_without_error();
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_menu_takes_and_leaves_the_ship_and_says_what_missions_teach() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.press("Escape");
+    desktop.wait_for("the menu", |state| {
+        state.menu && state.shows("Fly the ship")
+    });
+    for key in ["Down", "Down", "Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the ship", |state| !state.menu && state.ship.is_some());
+    desktop.press("Escape");
+    desktop.wait_for("the menu at the controls", |state| {
+        state.shows("Leave the ship") && !state.shows("Fly the ship")
+    });
+    for key in ["Down", "Down", "Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("no ship", |state| !state.menu && state.ship.is_none());
+    // The list of missions says what the chosen one teaches, and which lamps are lit: none yet.
+    desktop.press("shift+j");
+    desktop.wait_for("what the first one teaches", |state| {
+        state.mentions("A ship that brakes comes down.") && state.mentions("○○○")
+    });
+    desktop.press("Down");
+    desktop.wait_for("what the second one teaches", |state| {
+        state.mentions("Free fall has no weight.")
+    });
+    desktop.end_without_error();
+}

@@ -1,6 +1,7 @@
 //! A ship with a pilot: what holds and turns it, and how fast its time passes.
 
 use super::flown::Flown;
+use super::head::Head;
 use super::nose::Nose;
 use super::pace::{Engine, far_rate, own_time_rate};
 use super::ship_flight::HoldKind;
@@ -41,6 +42,8 @@ pub(super) struct Aboard {
     pub(super) hold: Option<Hold>,
     pub(super) nose: Nose,
     first_nose: Nose,
+    /// Where the pilot looks.
+    pub(super) head: Head,
     /// The hand's input in the last frame.
     pub(super) stick: Stick,
     /// The time of a turn of the clocks' dials, in r_s/c.
@@ -75,7 +78,7 @@ pub(super) fn hold_here(kind: HoldKind, ship: &Ship) -> Hold {
 
 impl Aboard {
     /// A pilot who takes the controls of a ship in this scene.
-    pub(super) fn new(flown: Flown, scene: &Scene, nose: Nose) -> Self {
+    pub(super) fn new(flown: Flown, scene: &Scene, nose: Nose, head: Head) -> Self {
         let time_scale = scene.camera.r.powf(1.5);
         Self {
             checkpoint: flown.clone(),
@@ -90,6 +93,7 @@ impl Aboard {
             is_far: false,
             hold: None,
             first_nose: nose,
+            head,
             nose,
             stick: Stick::NEUTRAL,
             dial: 10f64.powf(time_scale.log10().floor()),

@@ -80,7 +80,7 @@ pub(super) fn apply_ship_commands(
     mut ship: ResMut<ShipFlight>,
     (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
     (missions, mut starts): (Res<Missions>, MessageWriter<StartMission>),
-    preferences: Res<Preferences>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut editor: SceneEditor,
 ) {
     let units = preferences.settings.units();
@@ -91,8 +91,9 @@ pub(super) fn apply_ship_commands(
         let flying = voyage.flight.ship;
         match command {
             ShipCommand::EngineOff => {
+                let followed = ship.heading();
                 ship.engine_off();
-                editor.say("Engine off: you fall freely");
+                editor.say(words::engine_off(followed));
             }
             ShipCommand::HoldOrbit | ShipCommand::Hover => {
                 let kind = match command {
@@ -104,9 +105,16 @@ pub(super) fn apply_ship_commands(
                     Err(refusal) => capitalised(&refusal.to_string()),
                 });
             }
-            ShipCommand::Face => {
-                let heading = ship.face_next();
+            ShipCommand::Face | ShipCommand::FaceBack => {
+                let heading = match command {
+                    ShipCommand::Face => ship.face_next(),
+                    _ => ship.face_back(),
+                };
                 editor.say(words::facing(heading, &flying));
+            }
+            ShipCommand::Look => {
+                let look = ship.switch_look();
+                editor.say(words::looking(look, &bindings));
             }
             ShipCommand::Faster | ShipCommand::Slower => {
                 let faster = *command == ShipCommand::Faster;

@@ -9,7 +9,7 @@ use crate::app::motion::pose::pose_of;
 use crate::app::state::MAX_FRAME_SECONDS;
 use glam::DVec3;
 use lightfall_core::geometry::ship::ShipError;
-use lightfall_core::optics::ship::{HoldRefusal, Mount, Orders, Thrust, disk_clock, write_scene};
+use lightfall_core::optics::ship::{HoldRefusal, Orders, Thrust, disk_clock, write_scene};
 use lightfall_core::scene::Scene;
 
 /// The share of a full tank below which the pilot is warned.
@@ -24,7 +24,7 @@ pub struct ShipFrame {
     pub turn_seconds: f64,
     /// The hand.
     pub stick: Stick,
-    /// Whether turns to a heading are made at once.
+    /// Whether turns to a heading, and those of the head, are made at once.
     pub reduced_motion: bool,
 }
 
@@ -72,9 +72,10 @@ impl Aboard {
     ) -> Result<(FlightStep, Option<News>), String> {
         let clock = disk_clock(self.flown.ship());
         let (ends, news) = self.move_on(frame).map_err(|error| error.to_string())?;
+        self.head.turn(frame.turn_seconds, frame.reduced_motion);
         let ship = self.flown.ship();
         let mut next = scene.clone();
-        write_scene(ship, &Mount::NOSE, &mut next).map_err(|error| error.to_string())?;
+        write_scene(ship, &self.head.mount(ship), &mut next).map_err(|error| error.to_string())?;
         if next.disk_moves() {
             next.disk.time += disk_clock(ship) - clock;
         }

@@ -3,6 +3,7 @@
 use super::score::{lamps, solution_time};
 use super::ship_flight::ShipFlight;
 use super::words;
+use crate::app::controls::bindings::Bindings;
 use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::mission_results::MissionResult;
@@ -93,7 +94,7 @@ pub(super) fn start_missions(
     (mut missions, mut asked): (ResMut<Missions>, ResMut<AskedQuestion>),
     mut camera: CameraMotions,
     mut end_card: ResMut<EndCard>,
-    preferences: Res<Preferences>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut editor: SceneEditor,
 ) {
     for StartMission(mission) in starts.read() {
@@ -116,7 +117,7 @@ pub(super) fn start_missions(
         let units = preferences.settings.units();
         *end_card = EndCard::new(
             &mission.title,
-            &words::brief(mission, units),
+            &bindings.with_keys(&words::brief(mission, units)),
             words::first_keys(mission),
         );
     }
@@ -127,7 +128,8 @@ pub(super) fn watch_mission(
     ship: Res<ShipFlight>,
     (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
     (mut missions, mut asked): (ResMut<Missions>, ResMut<AskedQuestion>),
-    (time, preferences): (Res<Time<Real>>, Res<Preferences>),
+    (time, bindings): (Res<Time<Real>>, Res<Bindings>),
+    preferences: Res<Preferences>,
     mut end_card: ResMut<EndCard>,
     mut editor: SceneEditor,
 ) {
@@ -182,7 +184,8 @@ pub(super) fn watch_mission(
         hint,
         has_next: missions.next_after(&kept.mission).is_some(),
     };
-    let card = words::end(&end, units);
+    let mut card = words::end(&end, units);
+    card.text = bindings.with_keys(&card.text);
     let question = attempt.mission.questions.first();
     match question.filter(|_| has_succeeded) {
         Some(question) => asked.ask(question.clone(), kept, card),

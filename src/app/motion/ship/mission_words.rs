@@ -6,7 +6,7 @@ use crate::app::state::mission_results::MissionResult;
 use lightfall_core::numbers::{counted, four_digits, three_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Attempt, Outcome};
-use lightfall_core::scene::mission::{Better, Goal, Mission, Par, Quantity};
+use lightfall_core::scene::mission::{Better, Goal, Mission, MissionKey, Par, Quantity};
 
 /// What the card at the start of a mission says.
 pub(super) fn brief(mission: &Mission, units: Units) -> String {
@@ -32,19 +32,42 @@ fn goal_words(goal: &Goal, units: Units) -> String {
 
 /// The keys that the card at the start names.
 pub(super) fn first_keys(mission: &Mission) -> Vec<Way> {
-    let time = ("motion.faster", "time runs faster");
-    let again = ("journey.again", "the mission from its start");
-    if mission.ship.rapidity == 0.0 {
-        return vec![time, again];
+    let usual: &[MissionKey] = match mission.ship.rapidity {
+        0.0 => &[MissionKey::FasterTime, MissionKey::Again],
+        _ => &[
+            MissionKey::Forward,
+            MissionKey::Face,
+            MissionKey::Orbit,
+            MissionKey::EngineOff,
+            MissionKey::FasterTime,
+            MissionKey::Again,
+        ],
+    };
+    let keys = mission.keys.as_deref().unwrap_or(usual);
+    keys.iter().map(|key| (key.word(), does(*key))).collect()
+}
+
+/// What a key does, on the card at the start.
+fn does(key: MissionKey) -> &'static str {
+    match key {
+        MissionKey::Forward => "push along the nose",
+        MissionKey::Backward => "push against the nose",
+        MissionKey::Left => "push to the left of the nose",
+        MissionKey::Right => "push to the right of the nose",
+        MissionKey::Up => "push up",
+        MissionKey::Down => "push down",
+        MissionKey::Slower => "held with it: a quarter of the thrust",
+        MissionKey::Face => "turn the nose to a heading",
+        MissionKey::Orbit => "hold the orbit",
+        MissionKey::Still => "stand still: hold this place",
+        MissionKey::Look => "look at the hole, or along the nose",
+        MissionKey::EngineOff => "engine off",
+        MissionKey::FasterTime => "time runs faster",
+        MissionKey::SlowerTime => "time runs slower",
+        MissionKey::Pause => "pause, go on",
+        MissionKey::Map => "map of the path ahead",
+        MissionKey::Again => "the mission from its start",
     }
-    vec![
-        ("fly.forward", "push along the nose"),
-        ("fly.face", "turn the nose to a heading"),
-        ("fly.orbit", "hold the orbit"),
-        ("motion.let_go", "engine off"),
-        time,
-        again,
-    ]
 }
 
 /// The keys that the card at the end names. `has_next` tells whether a mission is left that was not

@@ -1,7 +1,7 @@
 //! The ship: its controls in the pilot's hands, its motion frame by frame, and what it says.
 //!
 //! The ship is moved in f64 by `optics/ship`, and written into the scene as an observer and a camera
-//! that looks along its nose. So everything that draws a scene draws what its pilot sees.
+//! that looks where its pilot does. So everything that draws a scene draws what its pilot sees.
 
 mod aboard;
 #[cfg(feature = "sound")]
@@ -9,6 +9,7 @@ mod cockpit;
 mod commands;
 mod flown;
 mod frame;
+mod head;
 mod mission_play;
 mod mission_words;
 mod nose;

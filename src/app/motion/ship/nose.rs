@@ -83,6 +83,24 @@ impl Nose {
                 return None;
             }
         }
+        self.turn_to_last(ship)
+    }
+
+    /// As [`step`](Self::step), to the heading before: the way back through the same row.
+    pub fn step_back(&mut self, ship: &Ship) -> Option<Heading> {
+        if self.state != State::Free && self.last == 0 {
+            self.state = State::Free;
+            return None;
+        }
+        self.last = (self.last + HEADINGS - 1) % HEADINGS;
+        self.turn_to_last(ship).or_else(|| {
+            // There is no star ahead.
+            self.last = STAR - 1;
+            self.turn_to_last(ship)
+        })
+    }
+
+    fn turn_to_last(&mut self, ship: &Ship) -> Option<Heading> {
         if self.last == STAR {
             self.star = star_ahead(ship).or(self.star);
         }
@@ -154,7 +172,7 @@ fn heading_of(number: usize, star: Option<DVec3>) -> Option<Heading> {
 
 /// The ship's axes with the nose along `direction` and up as near to decreasing theta as that allows,
 /// as columns on the present axes.
-fn level(ship: &Ship, direction: DVec3) -> DMat3 {
+pub(super) fn level(ship: &Ship, direction: DVec3) -> DMat3 {
     let north = Heading::Observer(DVec3::NEG_Y).direction(ship);
     let up = [north, Some(DVec3::Z)]
         .into_iter()

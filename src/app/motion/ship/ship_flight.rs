@@ -3,6 +3,7 @@
 
 use super::aboard::{Aboard, first_nose, hold_here};
 use super::flown::Flown;
+use super::head::Head;
 use super::nose::Nose;
 use super::pace::{Engine, PACE_STEP, SLOWEST};
 use super::track::Track;
@@ -13,7 +14,7 @@ use lightfall_core::optics::ship::{
     board,
 };
 use lightfall_core::scene::Scene;
-use lightfall_core::scene::mission::Mission;
+use lightfall_core::scene::mission::{Look, Mission};
 
 /// The rocket of a ship without a mission: its rapidity, its largest acceleration in c^2/r_s, and the
 /// speed of its exhaust in c.
@@ -50,7 +51,8 @@ impl ShipFlight {
         let rocket = Rocket::new(rapidity, acceleration, exhaust)
             .expect("the constants are those of a rocket");
         let voyage = Voyage::new(Flight::new(ship, rocket), mass, &scene.disk);
-        self.begin(Flown::Free(Box::new(voyage)), scene, Nose::FREE);
+        let head = Head::looking(Look::Nose);
+        self.begin(Flown::Free(Box::new(voyage)), scene, Nose::FREE, head);
         Ok(())
     }
 
@@ -61,12 +63,13 @@ impl ShipFlight {
     pub fn start(&mut self, mission: &Mission, scene: &Scene) -> Result<(), StartError> {
         let attempt = Attempt::new(mission)?;
         let nose = first_nose(mission);
-        self.begin(Flown::Mission(Box::new(attempt)), scene, nose);
+        let head = Head::looking(mission.start.look);
+        self.begin(Flown::Mission(Box::new(attempt)), scene, nose, head);
         Ok(())
     }
 
-    fn begin(&mut self, flown: Flown, scene: &Scene, nose: Nose) {
-        self.aboard = Some(Aboard::new(flown, scene, nose));
+    fn begin(&mut self, flown: Flown, scene: &Scene, nose: Nose, head: Head) {
+        self.aboard = Some(Aboard::new(flown, scene, nose, head));
     }
 
     /// Leaves the controls.
@@ -136,6 +139,30 @@ impl ShipFlight {
             .and_then(|aboard| aboard.nose.heading())
     }
 
+    /// What the pilot looks at.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        self.aboard
+            .as_ref()
+            .map_or(Look::Nose, |aboard| aboard.head.look())
+    }
+
+    /// Lets the pilot look along the nose, or at the hole. Returns what the pilot looks at now.
+    pub fn switch_look(&mut self) -> Look {
+        if let Some(aboard) = &mut self.aboard {
+            aboard.head.switch();
+        }
+        self.look()
+    }
+
+    /// How the camera that sees what the pilot sees is mounted on the ship.
+    #[must_use]
+    pub fn mount(&self) -> Mount {
+        self.aboard
+            .as_ref()
+            .map_or(Mount::NOSE, |aboard| aboard.head.mount(aboard.flown.ship()))
+    }
+
     /// The thrust that is set, as a share of the engine's.
     #[must_use]
     pub fn thrust(&self) -> f64 {
@@ -203,6 +230,12 @@ impl ShipFlight {
     pub fn face_next(&mut self) -> Option<Heading> {
         let aboard = self.aboard.as_mut()?;
         aboard.nose.step(aboard.flown.ship())
+    }
+
+    /// Turns the nose to the heading before. `None` if the gyroscopes hold it from now on.
+    pub fn face_back(&mut self) -> Option<Heading> {
+        let aboard = self.aboard.as_mut()?;
+        aboard.nose.step_back(aboard.flown.ship())
     }
 
     /// Switches the engine off, and ends what holds and turns the ship.

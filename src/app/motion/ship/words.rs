@@ -10,6 +10,7 @@ use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Heading, Hold};
+use lightfall_core::scene::mission::Look;
 
 /// Why time runs no faster far from the hole.
 const FAR: &str = "You come away: time runs no faster than your distance grows by half in a second";
@@ -26,8 +27,54 @@ pub(crate) fn heading_words(heading: Heading) -> &'static str {
     }
 }
 
-/// What the key that turns the nose says.
+/// What the keys that turn the nose say: where it turns to, and the row through which they lead.
 pub(super) fn facing(heading: Option<Heading>, ship: &Ship) -> String {
+    format!("{}\n{}", turned_to(heading, ship), headings_row(heading))
+}
+
+/// Every heading, with the chosen one in brackets.
+fn headings_row(chosen: Option<Heading>) -> String {
+    let row = [
+        "hole",
+        "prograde",
+        "retrograde",
+        "outward",
+        "star",
+        "gyroscopes",
+    ];
+    let place = match chosen {
+        Some(Heading::Hole) => Some(0),
+        Some(Heading::Prograde) => Some(1),
+        Some(Heading::Retrograde) => Some(2),
+        Some(Heading::Outward) => Some(3),
+        Some(Heading::Star(_)) => Some(4),
+        // No key leads to a direction on the observer's axes.
+        Some(Heading::Observer(_)) => None,
+        None => Some(5),
+    };
+    let mark = |(index, name): (usize, &str)| match Some(index) == place {
+        true => format!("[{name}]"),
+        false => name.to_owned(),
+    };
+    row.into_iter()
+        .enumerate()
+        .map(mark)
+        .collect::<Vec<_>>()
+        .join(" · ")
+}
+
+/// What the key that switches the engine off says. The nose followed this heading.
+pub(super) fn engine_off(followed: Option<Heading>) -> String {
+    match followed {
+        None => "Engine off: you fall freely".into(),
+        Some(heading) => format!(
+            "Engine off: you fall freely. The nose does not follow {} any more: the gyroscopes hold it",
+            heading_words(heading)
+        ),
+    }
+}
+
+fn turned_to(heading: Option<Heading>, ship: &Ship) -> String {
     match heading {
         Some(Heading::Star(_)) => "Nose: to the star ahead".into(),
         Some(heading) if heading.direction(ship).is_none() => format!(
@@ -39,6 +86,17 @@ pub(super) fn facing(heading: Option<Heading>, ship: &Ship) -> String {
         Some(Heading::Hole) => "Nose: to the hole".into(),
         Some(heading) => format!("Nose: {}", heading_words(heading)),
         None => "Nose: held by the gyroscopes".into(),
+    }
+}
+
+/// What the key that turns the pilot's head says.
+pub(super) fn looking(look: Look, bindings: &Bindings) -> String {
+    let key = bindings.first_label("scene.spin");
+    match look {
+        Look::Hole => {
+            format!("You look at the hole; the nose stays where it points ({key}: ahead)")
+        }
+        Look::Nose => format!("You look along the nose ({key}: at the hole)"),
     }
 }
 

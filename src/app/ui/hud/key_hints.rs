@@ -137,6 +137,7 @@ const SHIP_KEYS: &[Hint] = &[
         7,
     ),
     (&["fly.face"], "", "nose", 5),
+    (&["scene.spin"], "", "look", 4),
     (&["fly.orbit"], "", "orbit", 3),
     (&["scene.observer"], "", "still", 2),
     (&["motion.let_go"], "", "engine off", 4),
@@ -194,7 +195,7 @@ pub(super) fn show_key_hints(
 fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) {
     let key = |id: &&str| match *id {
         MOUSE => MOUSE.to_owned(),
-        id => bindings.first_label(id),
+        id => bindings.first_name(id),
     };
     let mut right = 0.0;
     for (ids, between, does, _) in hints {

@@ -44,6 +44,7 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
         MenuEntry::SaveLesson => ["Save my lesson", "lesson.save"],
         MenuEntry::NewLesson => ["Begin a new lesson", ""],
         MenuEntry::Journey => ["Guided journey", "journey.again"],
+        MenuEntry::Ship => ["Fly the ship", "ship.fly"],
         MenuEntry::LetGo => ["Let go: fall or orbit", "motion.let_go"],
         MenuEntry::Help => ["Help: all keys", "window.help"],
         MenuEntry::Settings => ["Settings", ""],
@@ -64,7 +65,10 @@ impl MenuActions<'_> {
     /// What stands at the left and at the right of an entry.
     pub(super) fn words(&self, entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
         let [name, control] = name_and_control(entry);
+        let flies = self.commands.helm.has_ship();
         match entry {
+            MenuEntry::Ship if flies => ["Leave the ship".into(), bindings.first_name(&control)],
+            MenuEntry::LetGo if flies => ["Engine off".into(), bindings.first_name(&control)],
             MenuEntry::Mission(index) => self.mission_words(index),
             MenuEntry::Lesson(index) => self.lesson_words(index),
             MenuEntry::SaveLesson => {
@@ -78,28 +82,31 @@ impl MenuActions<'_> {
                     0 => "no stop yet".into(),
                     _ => format!("{stops}{saved}"),
                 };
-                let key = bindings.first_label(&control);
+                let key = bindings.first_name(&control);
                 [format!("{name}: {state}"), key]
             }
             MenuEntry::Place(_) => [name, bindings.label(&control)],
-            _ => [name, bindings.first_label(&control)],
+            _ => [name, bindings.first_name(&control)],
         }
     }
 
-    /// A mission's title, and the best that was reached in it.
+    /// A mission's title, and the best that was reached in it: its lamps, all dark before the first success.
     fn mission_words(&self, index: usize) -> [String; 2] {
         let Some(mission) = self.missions.list.get(index) else {
             return Default::default();
         };
         let best = self.missions.results.best(&mission.name);
-        let reached = best.map_or_else(String::new, |best| {
-            let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
-            let par = best.par.map_or_else(String::new, |(quantity, value)| {
-                let name = quantity.word().replace('_', " ");
-                format!("{name} {}  ", four_digits(value))
-            });
-            par + &lamps
-        });
+        let reached = best.map_or_else(
+            || "○○○".into(),
+            |best| {
+                let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
+                let par = best.par.map_or_else(String::new, |(quantity, value)| {
+                    let name = quantity.word().replace('_', " ");
+                    format!("{name} {}  ", four_digits(value))
+                });
+                par + &lamps
+            },
+        );
         [mission.title.clone(), reached]
     }
 
@@ -124,6 +131,14 @@ impl MenuActions<'_> {
             && !lesson.teaches.is_empty()
         {
             return lesson.teaches.clone();
+        }
+        if let MenuEntry::Mission(index) = self.menu.selected()
+            && let Some(mission) = self.missions.list.get(index)
+        {
+            return match mission.teaches.as_str() {
+                "" => mission.brief.clone(),
+                teaches => teaches.to_owned(),
+            };
         }
         match (self.menu.list(), file) {
             (MenuList::Missions(_), Some(file)) => {

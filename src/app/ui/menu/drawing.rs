@@ -18,6 +18,8 @@ const MIN_ENTRY_HEIGHT: f32 = 24.0;
 const PADDING: f32 = 14.0;
 const TITLE_HEIGHT: f32 = 38.0;
 const HINT_HEIGHT: f32 = 28.0;
+/// The same where the line may be two: what a mission or a lesson teaches.
+const TALL_HINT_HEIGHT: f32 = 46.0;
 /// An entry, and the words at its left and its right.
 type Row = (MenuEntry, [String; 2]);
 /// Colour that darkens the picture behind the menu.
@@ -73,9 +75,18 @@ pub(crate) fn menu_frame(screen: egui::Rect, menu: &Menu) -> egui::Rect {
         MenuList::Places | MenuList::Missions(_) | MenuList::Lessons(_) => LIST_WIDTH,
     };
     let entries = ENTRY_HEIGHT * menu.entries().len() as f32;
-    let height = entries + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;
+    let (hint, _) = hint_size(menu.list());
+    let height = entries + 2.0 * PADDING + TITLE_HEIGHT + hint;
     let size = egui::vec2(width, height).min(screen.size() - egui::Vec2::splat(16.0));
     egui::Rect::from_center_size(screen.center(), size)
+}
+
+/// The height of the words below the entries, in points, and the most lines of them.
+fn hint_size(list: MenuList) -> (f32, usize) {
+    match list {
+        MenuList::Main | MenuList::Places => (HINT_HEIGHT, 1),
+        MenuList::Missions(_) | MenuList::Lessons(_) => (TALL_HINT_HEIGHT, 2),
+    }
 }
 
 /// Shows the title, the entries and a line about the keys. The line and the title are left out where they
@@ -93,8 +104,9 @@ fn show_entries(
         ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
         ui.add_space(10.0);
     }
-    let has_hint = spare >= TITLE_HEIGHT + HINT_HEIGHT;
-    let room = ui.available_height() - if has_hint { HINT_HEIGHT } else { 0.0 };
+    let (hint_height, lines) = hint_size(menu.list());
+    let has_hint = spare >= TITLE_HEIGHT + hint_height;
+    let room = ui.available_height() - if has_hint { hint_height } else { 0.0 };
     let height = (room / rows.len() as f32).clamp(MIN_ENTRY_HEIGHT, ENTRY_HEIGHT);
     egui::ScrollArea::vertical()
         .max_height(room)
@@ -119,8 +131,14 @@ fn show_entries(
         return clicked;
     }
     ui.add_space(10.0);
-    let hint = egui::RichText::new(hint).size(12.5).color(WEAK_TEXT);
-    ui.add(egui::Label::new(hint).truncate());
+    let font = FontId::proportional(12.5);
+    let width = ui.available_width();
+    let mut hint = egui::text::LayoutJob::simple(hint.to_owned(), font, WEAK_TEXT, width);
+    // What is longer ends in an ellipsis.
+    hint.wrap.max_rows = lines;
+    let hint = ui.painter().layout_job(hint);
+    let (area, _) = ui.allocate_exact_size(hint.size(), Sense::hover());
+    ui.painter().galley(area.min, hint, WEAK_TEXT);
     clicked
 }
 

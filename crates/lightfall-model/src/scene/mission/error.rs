@@ -43,6 +43,9 @@ pub enum Fault {
         given: String,
         allowed: &'static str,
     },
+    /// A key that is listed twice.
+    #[error("keys lists {key:?} twice: each key stands there once")]
+    KeyTwice { key: &'static str },
     /// A star without a nose that faces it.
     #[error("start.star_deg is refused: it belongs to face = \"star\", and face is {face:?}")]
     Star { face: &'static str },

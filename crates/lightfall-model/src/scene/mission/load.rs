@@ -1,6 +1,7 @@
 //! From the text of a mission to the mission.
 
 use super::error::{Fault, MissionError};
+use super::keys::check_keys;
 use super::text::{BurnText, HoleOfMission, Start, Text};
 use super::{Burn, Face, Mission, Push, Until};
 use crate::scene::Override;
@@ -33,6 +34,7 @@ fn read(text: &str) -> Result<Mission, Fault> {
     let written: Text = toml::from_str(text).map_err(|error| syntax(text, &error))?;
     check_texts(&written)?;
     check_numbers(&written)?;
+    check_keys(written.keys.as_deref().unwrap_or_default())?;
     if written.goal.is_empty() {
         return Err(Fault::NoGoal);
     }
@@ -60,6 +62,7 @@ fn read(text: &str) -> Result<Mission, Fault> {
         start: written.start,
         brief: written.brief,
         teaches: written.teaches,
+        keys: written.keys,
         goals: written.goal,
         fails: written.fail,
         captions: written.caption,

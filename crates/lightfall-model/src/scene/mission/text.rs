@@ -1,6 +1,6 @@
 //! The tables of a mission's text.
 
-use super::{Condition, Quantity};
+use super::{Condition, MissionKey, Quantity};
 use crate::scene::ObserverKind;
 use crate::scene::question::Question;
 use serde::Deserialize;
@@ -20,6 +20,7 @@ pub(super) struct Text {
     pub(super) brief: String,
     #[serde(default)]
     pub(super) teaches: String,
+    pub(super) keys: Option<Vec<MissionKey>>,
     pub(super) goal: Vec<Goal>,
     #[serde(default)]
     pub(super) fail: Vec<Fail>,
@@ -81,6 +82,9 @@ pub struct Start {
     /// star that lies straight outward from the hole at the start.
     #[serde(default)]
     pub star_deg: Option<[f64; 2]>,
+    /// What the pilot looks at.
+    #[serde(default)]
+    pub look: Look,
 }
 
 impl Start {
@@ -107,6 +111,16 @@ crate::words! {
         Outward = "outward",
         /// A star.
         Star = "star",
+    }
+}
+
+crate::words! {
+    /// What a ship's pilot looks at.
+    pub enum Look {
+        /// What is ahead of the nose.
+        Nose = "nose",
+        /// The hole, wherever the nose points, with the disk level.
+        Hole = "hole",
     }
 }
 

@@ -84,6 +84,8 @@ pub const EFFECTS: &[(&str, Effect)] = &[
     ("fly.faster", Script(scripts::faster)),
     ("fly.slower", Script(scripts::slower)),
     ("fly.face", Script(scripts::face)),
+    // Only the ship's nose has more than two headings.
+    ("fly.face_back", Script(scripts::face)),
     ("fly.orbit", Script(scripts::orbit)),
     ("fly.mouse", Script(scripts::mouse_look)),
     ("fly.escape", Switches(|state| state.menu)),

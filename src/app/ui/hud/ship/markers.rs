@@ -8,7 +8,8 @@ use crate::app::ui::screen::{BOX, MARGIN, Screen, draw_below_boxes};
 use crate::app::ui::theme::ACCENT;
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, vec2};
-use lightfall_core::optics::ship::{Heading, Mount};
+use lightfall_core::optics::ship::Heading;
+use lightfall_core::scene::mission::Look;
 
 /// Radius of a mark, in points, and of the dot of the nose.
 const MARK: f32 = 9.0;
@@ -35,7 +36,7 @@ pub(in crate::app::ui::hud) fn show_markers(
         return;
     }
     let placement = picture.placement(context);
-    let camera = Mount::NOSE.0.transpose();
+    let camera = ship.mount().0.transpose();
     let headings = [
         (Heading::Prograde, "prograde"),
         (Heading::Retrograde, "retrograde"),
@@ -46,10 +47,14 @@ pub(in crate::app::ui::hud) fn show_markers(
         visible.contains(place).then_some((heading, name, place))
     });
     let marks: Vec<_> = marks.collect();
-    let nose = placement.of_looking(glam::DVec3::Z);
+    let nose = placement.of_looking(camera * glam::DVec3::X);
+    let looks_elsewhere = ship.look() != Look::Nose;
     draw_below_boxes(context, "ship's marks", visible, |painter| {
         if let Some(nose) = nose {
             draw_nose(painter, nose);
+            if looks_elsewhere && visible.contains(nose) {
+                draw_name((painter, layout), "nose", nose, visible);
+            }
         }
         for (heading, name, place) in marks {
             draw_mark(painter, place, heading == Heading::Prograde);

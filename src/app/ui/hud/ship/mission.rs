@@ -2,7 +2,6 @@
 
 use super::quantities::{Wanted, wanted};
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::table::control_named;
 use crate::app::motion::ship::{MissionPlay, ShipFlight};
 use crate::app::state::end_card::EndCard;
 use crate::app::state::preferences::Preferences;
@@ -47,7 +46,7 @@ pub(in crate::app::ui::hud) fn show_mission(
     let captions = &attempt.mission.captions;
     let caption = play.caption().and_then(|index| captions.get(index));
     if let Some(caption) = caption.filter(|_| !end_card.is_open()) {
-        let words = with_keys(&caption.text, &bindings);
+        let words = bindings.with_keys(&caption.text);
         let board = Board::new(context, "caption", 1.0);
         // The instruments and the message have the lower edge.
         let wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
@@ -93,24 +92,4 @@ fn show_goals(
     }
     let wish = layout.at(Align2::LEFT_TOP, Slide::Upright);
     board.paint(layout, wish).is_some()
-}
-
-/// A text in which the name of a control in braces, such as `{fly.forward}`, stands for its key.
-fn with_keys(text: &str, bindings: &Bindings) -> String {
-    let mut words = String::new();
-    let mut rest = text;
-    while let Some((before, after)) = rest.split_once('{') {
-        words.push_str(before);
-        match after.split_once('}') {
-            Some((id, after)) if control_named(id).is_some() => {
-                words.push_str(&bindings.first_label(id));
-                rest = after;
-            }
-            _ => {
-                words.push('{');
-                rest = after;
-            }
-        }
-    }
-    words + rest
 }
