@@ -198,7 +198,7 @@ fn read_outs_use_words_and_keep_their_width() {
         text(&preset("edge-on")),
         [
             "r 20.00 r_s   7.0° above the disk   theta 83.0°   azimuth 0.0°",
-            "hovering at rest   spin 0.9   flying speed 1.00×   automatic exposure"
+            "hovering at rest   clock 0.9747 of home's   spin 0.9   flying speed 1.00×   automatic exposure"
         ]
     );
     let mut below = preset("edge-on");

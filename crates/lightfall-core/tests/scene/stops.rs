@@ -122,7 +122,7 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         ),
         (
             "at = 5\nquestion = 3",
-            "question = 3 is refused: it must be a table with text, answer, tolerance",
+            "question = 3 is refused: it must be a table with text, answer and tolerance",
         ),
         (
             "at = 5\nquestion = { text = \"a\", answer = nan, tolerance = 0 }",
