@@ -25,6 +25,7 @@ mod random_scene;
 mod redraw;
 mod sequences;
 mod stars;
+mod tiles;
 mod tilt;
 mod two_pictures;
 

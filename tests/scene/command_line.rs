@@ -111,7 +111,7 @@ fn render_reads_a_size() {
     ] {
         let error = refuse(&format!("lightfall render -o a.png --size={size}")).to_string();
         assert!(
-            error.contains("a size is WxH, such as 960x540, each from 1 to 8192"),
+            error.contains("a size is WxH, such as 960x540, each from 1 to 32768"),
             "{error}"
         );
     }

@@ -3,7 +3,8 @@
 use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::gpu::{
-    Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
+    Accumulation, Bloom, Development, Difference, EdgeTraits, Entry, Presentation, Print,
+    ShaderText, Variant,
 };
 use lightfall_core::scene::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection,
@@ -58,6 +59,18 @@ pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
         ),
         (splat_shader(Projection::Perspective), &["splat"]),
         (Accumulation::shader(), &["vertex", "accumulate"]),
+        (
+            Bloom::shader(),
+            &[
+                "over_all",
+                "bloom_base",
+                "bloom_first",
+                "bloom_shrink",
+                "bloom_spread",
+            ],
+        ),
+        (Development::shader(), &["vertex", "develop"]),
+        (Print::shader(), &["vertex", "print"]),
         (Difference::shader(), &["vertex", "difference"]),
     ]
 }
