@@ -9,10 +9,8 @@ struct Development {
     origin: vec2<u32>,
     // The factor of light.
     exposure: f32,
-    // Share of the light that bloom spreads; zero without bloom.
+    // Share of the light that bloom spreads.
     bloom: f32,
-    // The tone curve: NEUTRAL, SOFT, ACES or REINHARD.
-    curve: u32,
 }
 
 @group(0) @binding(BINDING_DEVELOPMENT) var<uniform> development: Development;
@@ -26,10 +24,10 @@ fn develop(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = vec2<u32>(position.xy);
     let seen = textureLoad(light, pixel, 0);
     var shown = seen.rgb;
-    if development.bloom > 0.0 {
+    if HAS_BLOOM {
         let place = vec2<f32>(pixel + development.origin) + 0.5;
         let wide = bloom_blurred(bloom, bloom_sampler, place / vec2<f32>(development.whole));
         shown = mix(shown, wide, development.bloom);
     }
-    return vec4<f32>(toned(max(shown, vec3<f32>(0.0)) * development.exposure, development.curve), seen.a);
+    return vec4<f32>(toned(max(shown, vec3<f32>(0.0)) * development.exposure), seen.a);
 }

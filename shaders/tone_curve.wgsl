@@ -3,21 +3,18 @@
 //
 // Gives: toned.
 
-fn toned(light: vec3<f32>, curve: u32) -> vec3<f32> {
-    switch curve {
-        case SOFT: {
-            return toned_softly(light);
-        }
-        case ACES: {
-            return toned_as_film(light);
-        }
-        case REINHARD: {
-            return light / (1.0 + luminance(light));
-        }
-        default: {
-            return toned_neutrally(light);
-        }
+// CURVE is a constant, because some drivers execute every side of a branch.
+fn toned(light: vec3<f32>) -> vec3<f32> {
+    if CURVE == SOFT {
+        return toned_softly(light);
     }
+    if CURVE == ACES {
+        return toned_as_film(light);
+    }
+    if CURVE == REINHARD {
+        return light / (1.0 + luminance(light));
+    }
+    return toned_neutrally(light);
 }
 
 // Rec. ITU-R BT.709, item 3.2.

@@ -44,7 +44,7 @@ pub use antialias::{EdgeTraits, Edges};
 pub use background_device::with_background_device;
 pub use bloom::{Bloom, BloomLevels};
 pub use call_size::{bands, max_pixels_of_call};
-pub use development::Development;
+pub use development::{Developer, Development};
 pub use device::Gpu;
 pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};

@@ -136,7 +136,7 @@ impl LargePicture<'_> {
             let (mut top, mut light, mut depth) = (0, Vec::new(), Vec::new());
             for strip in self.tiles.strips() {
                 let (mut rows, mut depths) = (Vec::new(), Vec::new());
-                let mut drawn = top;
+                let (mut drawn, mut tiles) = (top, 0);
                 for part in strip {
                     studio.show_part(self.scene, part)?;
                     place(&mut rows, &studio.light()?.rgba, (part, whole.x, 1));
@@ -144,7 +144,7 @@ impl LargePicture<'_> {
                         place(&mut depths, &studio.depth()?, (part, whole.x, 1));
                     }
                     drawn = part.origin.y + part.size.y;
-                    (self.on_tile)();
+                    tiles += 1;
                 }
                 light.append(&mut rows);
                 depth.append(&mut depths);
@@ -167,6 +167,10 @@ impl LargePicture<'_> {
                     };
                     take(block, samples)?;
                     top += size.y;
+                }
+                // Their rays take about as long as the tiles do.
+                for _ in 0..tiles {
+                    (self.on_tile)();
                 }
             }
             Ok(())

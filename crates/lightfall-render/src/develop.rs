@@ -8,29 +8,39 @@ use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
 use crate::given_light::GivenLight;
 use crate::graphics::Graphics;
 use crate::live_shaders::add_shader;
-use bevy::asset::uuid_handle;
+use bevy::asset::uuid::Uuid;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::Development;
+use lightfall_core::gpu::{Developer, Development};
+use std::marker::PhantomData;
 
-const SHADER: Handle<Shader> = uuid_handle!("a5d9e0f4-62c7-4b3e-9d1b-08e5c4f7b2a6");
+/// The first of the shaders, which have consecutive numbers.
+const FIRST_SHADER: u128 = 0xa5d9e0f4_62c7_4b3e_9d1b_08e5c4f7b2a0;
 
 const STAGE: Stage = ("develop", [Some(TextureFormat::Rgba16Float), None]);
 
 #[derive(Resource)]
-pub(super) struct DevelopPass(FullScreenPass<Development>);
+pub(super) struct DevelopPass {
+    /// One for each shader.
+    passes: [FullScreenPass<Development>; Developer::COUNT],
+    /// The number of the one for the present scene.
+    current: usize,
+}
+
+/// The shader of this number.
+fn shader(number: usize) -> Handle<Shader> {
+    Handle::Uuid(Uuid::from_u128(FIRST_SHADER + number as u128), PhantomData)
+}
 
 pub(super) fn plugin(app: &mut App) {
-    add_shader(
-        app,
-        &SHADER,
-        Development::shader(),
-        "lightfall/develop.wgsl",
-    );
+    for developer in Developer::all() {
+        let handle = shader(developer.number());
+        add_shader(app, &handle, developer.shader(), "lightfall/develop.wgsl");
+    }
     app.sub_app_mut(RenderApp)
         .add_systems(RenderStartup, create_develop_pass)
         .add_systems(
@@ -47,8 +57,12 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn create_develop_pass(mut commands: Commands, device: Res<RenderDevice>) {
-    let pass = FullScreenPass::new("development layout", SHADER, 2);
-    commands.insert_resource(DevelopPass(pass.with_sampler(&device)));
+    commands.insert_resource(DevelopPass {
+        passes: std::array::from_fn(|number| {
+            FullScreenPass::new("development layout", shader(number), 2).with_sampler(&device)
+        }),
+        current: 0,
+    });
 }
 
 /// Writes the uniform, when the textures of the bloom are known.
@@ -57,10 +71,11 @@ fn prepare_develop_pass(
     (If(bloom), If(mut pass)): (If<Res<BloomPass>>, If<ResMut<DevelopPass>>),
     graphics: Graphics,
 ) {
-    let DevelopPass(full_screen) = &mut *pass;
+    let DevelopPass { passes, current } = &mut *pass;
+    *current = Developer::of(&scene, bloom.is_on()).number();
+    let full_screen = &mut passes[*current];
     full_screen.queue(STAGE, &graphics.cache);
-    let numbers = Development::new(&scene, part.drawn(), bloom.is_on());
-    full_screen.write(numbers, &graphics);
+    full_screen.write(Development::new(&scene, part.drawn()), &graphics);
 }
 
 /// Whether the picture is a part whose bloom is not known yet.
@@ -79,7 +94,7 @@ pub(super) fn develop(
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let DevelopPass(full_screen) = &*pass;
+    let full_screen = &pass.passes[pass.current];
     // The picture's two textures change places only if the pass draws.
     if full_screen.pipeline(STAGE, &cache).is_none() {
         return;

@@ -3,7 +3,7 @@
 use crate::chain::Chain;
 use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{
-    Accumulation, Bloom, Development, Difference, EdgeTraits, Presentation, Print, ShaderText,
+    Accumulation, Bloom, Developer, Difference, EdgeTraits, Presentation, Print, ShaderText,
     Variant,
 };
 use lightfall_core::scene::Scene;
@@ -83,7 +83,11 @@ pub fn pass_shaders(scene: &Scene) -> Vec<PassShader> {
             ],
             Bloom::shader(),
         ),
-        PassShader::new("develop", &["vertex", "develop"], Development::shader()),
+        PassShader::new(
+            "develop",
+            &["vertex", "develop"],
+            Developer::of(scene, chain.bloom.is_some()).shader(),
+        ),
         PassShader::new("print", &["vertex", "print"], Print::shader()),
         PassShader::new(
             "pixelate, expand and fit",

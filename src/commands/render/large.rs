@@ -57,7 +57,7 @@ pub(super) fn tiling(
             return Err(Stop::refused(format!("--cells on: {why}")));
         }
         say(format_args!(
-            "lightfall: {why}, and shows every pixel; --cells off says so"
+            "lightfall: {why}: every pixel is shown, as with --cells off"
         ));
         scene.picture.bypass = true;
     }

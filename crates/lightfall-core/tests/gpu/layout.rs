@@ -7,7 +7,7 @@ use lightfall_core::gpu::stars::{
     GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, StarKernel, candidate_shader,
 };
 use lightfall_core::gpu::{
-    Accumulation, Bloom, Development, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuJet,
+    Accumulation, Bloom, Developer, Development, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuJet,
     GpuJetWaves, GpuObserver, GpuPatterns, GpuPicture, GpuQuality, GpuRing, GpuScene, GpuShadow,
     GpuSky, GpuStructure, Presentation, Print, Variant,
 };
@@ -176,7 +176,7 @@ fn rust_and_wgsl_lay_out_the_presentation_alike() {
 fn rust_and_wgsl_lay_out_bloom_development_and_print_alike() {
     let module = parsed(Bloom::shader().source());
     assert_same_layout!(&module, Bloom = "Bloom");
-    let module = parsed(Development::shader().source());
+    let module = parsed(Developer::all()[1].shader().source());
     assert_same_layout!(&module, Development = "Development");
     let module = parsed(Print::shader().source());
     assert_same_layout!(&module, Print = "Print");

@@ -3,8 +3,8 @@
 use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::gpu::{
-    Accumulation, Bloom, Development, Difference, EdgeTraits, Entry, Presentation, Print,
-    ShaderText, Variant,
+    Accumulation, Bloom, Developer, Difference, EdgeTraits, Entry, Presentation, Print, ShaderText,
+    Variant,
 };
 use lightfall_core::scene::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection,
@@ -46,7 +46,10 @@ fn the_files_of_all_pictures_are_those_of_every_variant_that_draws_one() {
 /// The shaders that are no variants, with their entry points.
 pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
     let [one, four] = [1, 4].map(|samples| EdgeTraits { samples }.shader());
-    vec![
+    let developers = Developer::all().map(|developer| -> (ShaderText, &'static [&'static str]) {
+        (developer.shader(), &["vertex", "develop"])
+    });
+    let others: Vec<(ShaderText, &'static [&'static str])> = vec![
         (
             Presentation::shader(),
             &["vertex", "pixelate", "expand", "fit"],
@@ -69,10 +72,10 @@ pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
                 "bloom_spread",
             ],
         ),
-        (Development::shader(), &["vertex", "develop"]),
         (Print::shader(), &["vertex", "print"]),
         (Difference::shader(), &["vertex", "difference"]),
-    ]
+    ];
+    developers.into_iter().chain(others).collect()
 }
 
 #[test]
