@@ -26,6 +26,7 @@ mod random_scene;
 mod redraw;
 mod sequences;
 mod stars;
+mod tiles;
 mod tilt;
 mod two_pictures;
 mod unit_of_light;

@@ -1,12 +1,15 @@
 //! What `lightfall render` checks before it draws: files and memory.
 
+use super::large::Tiling;
+use super::pictures::Pictures;
 use crate::commands::stop::Stop;
-use glam::UVec2;
+use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{Channels, Format, Frames, PictureError, Sequence};
 use lightfall_platform::memory::free_memory;
 use lightfall_platform::storage;
 use std::path::{Path, absolute};
+use std::thread::available_parallelism;
 
 /// The memory that a picture takes, in bytes: of the program and its shaders, of each pixel while it is
 /// drawn and encoded, and of each pixel's value in a channel. Measured with a software renderer, in which
@@ -15,17 +18,35 @@ pub(super) const PROGRAM_BYTES: u64 = 450 << 20;
 pub(super) const PIXEL_BYTES: u64 = 90;
 pub(super) const VALUE_BYTES: u64 = 4;
 
+/// The memory of a tile on the device and in the program, and that of each pixel of a strip of tiles and
+/// of the rows that are encoded at once, in bytes. The latter have values, too.
+const TILES_BYTES: u64 = 400 << 20;
+const STRIP_PIXEL_BYTES: u64 = 24;
+const STRIP_ROWS: u64 = 512;
+const ENCODED_ROWS: u64 = 16;
+
 /// Checks that there is memory for a picture, before minutes are spent on it.
 pub(super) fn check_memory(
-    size: UVec2,
+    scene: &Scene,
     format: Format,
-    channels: Option<&Channels>,
+    channels: &Channels,
+    tiling: Option<&Tiling>,
 ) -> Result<(), Stop> {
-    let values = channels
-        .filter(|_| format == Format::Exr)
-        .map_or(0, |it| it.list().len());
-    let pixels = u64::from(size.x) * u64::from(size.y);
-    let needed = PROGRAM_BYTES + pixels * (PIXEL_BYTES + VALUE_BYTES * values as u64);
+    let size = scene.picture.size();
+    let values = match format {
+        Format::Exr => channels.list().len(),
+        Format::Png | Format::Apng => 0,
+    };
+    let per_pixel = VALUE_BYTES * values as u64;
+    let columns = u64::from(size.x);
+    let needed = if tiling.is_some_and(|tiling| tiling.tiles.count() > 1) {
+        let threads = available_parallelism().map_or(1, usize::from) as u64;
+        let rows = columns * ENCODED_ROWS * threads;
+        let encoded = 3 * rows * per_pixel;
+        PROGRAM_BYTES + TILES_BYTES + columns * STRIP_ROWS * STRIP_PIXEL_BYTES + encoded
+    } else {
+        PROGRAM_BYTES + columns * u64::from(size.y) * (PIXEL_BYTES + per_pixel)
+    };
     let (channels, or_fewer) = match values {
         0 => (String::new(), ""),
         _ => (
@@ -37,6 +58,39 @@ pub(super) fn check_memory(
         Some(free) if free < needed => Err(Stop::failed(format!(
             "a picture of {} x {} pixels{channels} needs about {} of memory, and {} are free; give a smaller \
              --size{or_fewer}",
+            size.x,
+            size.y,
+            gigabytes(needed),
+            gigabytes(free),
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Checks that there is room for what a picture in tiles writes: the file, and for a PNG with bloom the
+/// light of the picture in a temporary file beside it. The file may be smaller than what is asked for,
+/// because it is compressed.
+pub(super) fn check_space(
+    pictures: &Pictures,
+    channels: &Channels,
+    tiling: &Tiling,
+) -> Result<(), Stop> {
+    let Pictures { scene, format, .. } = pictures;
+    let size = scene.picture.size();
+    let of_pixel = match format {
+        Format::Exr => picture::exr_pixel_bytes(channels),
+        Format::Png | Format::Apng if picture::png_sweeps(scene, &tiling.tiles) > 1 => {
+            tiling.bits.pixel_bytes() + picture::LIGHT_BYTES
+        }
+        Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
+    };
+    let needed = u64::from(size.x) * u64::from(size.y) * of_pixel;
+    let (_, file) = pictures.get(pictures.numbers().start);
+    match storage::free_space(&file) {
+        Some(free) if free < needed => Err(Stop::failed(format!(
+            "{}: a picture of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
+             give a smaller --size, or another folder",
+            file.display(),
             size.x,
             size.y,
             gigabytes(needed),

@@ -21,7 +21,7 @@ use lightfall_core::gpu::stars::{
 use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
 use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
 use lightfall_core::optics::stars::{Catalogue, Depth, hole_from_celestial};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Part, Scene};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -38,13 +38,17 @@ pub(crate) struct SceneStars {
     /// The list of stars and the buffers that depend on its length or the picture's size.
     drawn: Option<Drawn>,
     pipelines: Option<StarPipelines>,
-    /// Whether the sums belong to an earlier scene.
-    changed: AtomicBool,
+    /// Whether the list of images belongs to an earlier scene, and whether the sums belong to an
+    /// earlier scene or another part of the picture.
+    images_changed: AtomicBool,
+    sums_changed: AtomicBool,
 }
 
 struct Drawn {
     list: Arc<GpuStarList>,
+    /// The size of the picture, and the part that the sums are of.
     size: UVec2,
+    part: Option<Part>,
     /// Unless images are found by inversion.
     mesh: Option<MeshLayout>,
     /// The buffers that the kernels write.
@@ -76,7 +80,8 @@ impl SceneStars {
             ),
             drawn: None,
             pipelines: None,
-            changed: AtomicBool::new(false),
+            images_changed: AtomicBool::new(false),
+            sums_changed: AtomicBool::new(false),
         }
     }
 }
@@ -86,6 +91,8 @@ pub(crate) struct StarWriter<'a> {
     pub(crate) lists: &'a mut StarLists,
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) limits: DetailLimits,
+    /// The part of the picture that is drawn; `None` for all of it.
+    pub(crate) part: Option<Part>,
     /// The uniforms of the scene, the one in place of those that it has no use for, and whether any
     /// of them is new.
     pub(crate) inputs: &'a InputBuffers,
@@ -112,7 +119,7 @@ impl SceneStars {
         let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
         let wanted = (scene.for_stars(), writer.limits, reloads);
         if self.written.as_ref() == Some(&wanted) {
-            return false;
+            return self.go_to_part(scene, numbers, &writer);
         }
         // A scene that can be drawn has an observer, and so has a depth.
         let Ok(depth) = Depth::new(scene, writer.limits.faintest_star) else {
@@ -145,20 +152,49 @@ impl SceneStars {
                 queue.write_buffer(&self.table, 0, &table_bytes(&rows));
             }
         }
-        self.numbers.write_buffer(device, queue);
         self.starlight.set(GpuStarlight::new(scene, depth));
-        self.starlight.write_buffer(device, queue);
         self.written = Some(wanted);
-        self.changed.store(true, Ordering::Relaxed);
+        self.images_changed.store(true, Ordering::Relaxed);
         let size = scene.picture.size();
         let fits = |drawn: &Drawn| {
             drawn.size == size && drawn.mesh == mesh && Arc::ptr_eq(&drawn.list, &list)
         };
-        if self.drawn.as_ref().is_some_and(fits) {
-            return false;
+        let kept = self.drawn.take().filter(fits);
+        let is_new = kept.is_none();
+        let mut drawn = kept.unwrap_or_else(|| Self::create(list, size, mesh, &writer));
+        drawn.part = writer.part;
+        self.drawn = Some(drawn);
+        self.write_part(scene, writer.graphics);
+        let new_sums = self.make_room_for_sums(numbers, is_new, &writer);
+        is_new || new_sums
+    }
+
+    /// Goes on to another part of the picture, whose images are the same. Returns whether the sums
+    /// have a new buffer.
+    fn go_to_part(
+        &mut self,
+        scene: &Drawable,
+        numbers: &UniformBuffer<GpuScene>,
+        writer: &StarWriter,
+    ) -> bool {
+        match &mut self.drawn {
+            Some(drawn) if drawn.part != writer.part => drawn.part = writer.part,
+            _ => return false,
         }
-        self.drawn = Some(self.create(list, size, mesh, numbers, &writer));
-        true
+        self.write_part(scene, writer.graphics);
+        self.make_room_for_sums(numbers, false, writer)
+    }
+
+    /// Writes the numbers that depend on the part of the picture that is drawn.
+    fn write_part(&mut self, scene: &Drawable, graphics: &Graphics) {
+        let Graphics { device, queue, .. } = graphics;
+        let part = self.drawn.as_ref().and_then(|drawn| drawn.part);
+        let size = part.map_or(scene.picture.size(), |part| part.size);
+        self.numbers.set(self.numbers.get().clone().of_part(size));
+        self.numbers.write_buffer(device, queue);
+        self.starlight.set(self.starlight.get().of_part(size));
+        self.starlight.write_buffer(device, queue);
+        self.sums_changed.store(true, Ordering::Relaxed);
     }
 
     /// Draws no points; the diffuse sky has the light of stars beyond `depth`. Returns whether sums
@@ -172,20 +208,16 @@ impl SceneStars {
         self.drawn.take().is_some()
     }
 
-    /// The buffers and bindings for a list and a size.
+    /// The buffers for a list and a size, without the sums.
     fn create(
-        &self,
         list: Arc<GpuStarList>,
         size: UVec2,
         mesh: Option<MeshLayout>,
-        numbers: &UniformBuffer<GpuScene>,
         writer: &StarWriter,
     ) -> Drawn {
-        let Graphics { device, cache, .. } = writer.graphics;
         let mut sizes = vec![
             (STAR_IMAGES, images_size(&list.stars)),
             (STAR_COUNT, COUNT_SIZE),
-            (STAR_SUMS, sums_size(size)),
         ];
         if let Some(layout) = &mesh {
             sizes.extend([
@@ -194,17 +226,44 @@ impl SceneStars {
                 (CANDIDATE_COUNT, CANDIDATE_COUNT_SIZE),
             ]);
         }
-        let buffers = sizes.into_iter().map(|(binding, size)| {
-            let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST;
-            (binding, create_buffer(device, "stars", size, usage))
-        });
-        let mut drawn = Drawn {
+        let device = &writer.graphics.device;
+        let buffers = sizes
+            .into_iter()
+            .map(|(binding, size)| (binding, star_buffer(device, size)));
+        Drawn {
             list,
             size,
+            part: writer.part,
             mesh,
             buffers: buffers.collect(),
             bind_groups: [const { None }; StarKernel::ALL.len()],
+        }
+    }
+
+    /// Makes the sums as large as the part of the picture needs, and binds all buffers if any of them
+    /// is new. Returns whether the sums are.
+    fn make_room_for_sums(
+        &mut self,
+        numbers: &UniformBuffer<GpuScene>,
+        is_new: bool,
+        writer: &StarWriter,
+    ) -> bool {
+        let Graphics { device, cache, .. } = writer.graphics;
+        let Some(mut drawn) = self.drawn.take() else {
+            return false;
         };
+        let needed = sums_size(drawn.part.map_or(drawn.size, |part| part.size));
+        let has_room = drawn
+            .buffer(STAR_SUMS)
+            .is_some_and(|sums| sums.size() >= needed);
+        if !has_room {
+            drawn.buffers.retain(|(binding, _)| *binding != STAR_SUMS);
+            drawn.buffers.push((STAR_SUMS, star_buffer(device, needed)));
+        }
+        if has_room && !is_new {
+            self.drawn = Some(drawn);
+            return false;
+        }
         for kernel in StarKernel::ALL {
             // Kernels that the scene does not run have no buffers.
             let bindings = kernel.reads().iter().chain(kernel.writes());
@@ -231,7 +290,8 @@ impl SceneStars {
             drawn.bind_groups[kernel as usize] =
                 entries.map(|entries| device.create_bind_group(kernel.word(), &layout, &entries));
         }
-        drawn
+        self.drawn = Some(drawn);
+        !has_room
     }
 
     /// The numbers of the sky, once a scene has been written.
@@ -244,9 +304,16 @@ impl SceneStars {
         self.drawn.as_ref()?.buffer(STAR_SUMS)
     }
 
-    /// Whether the sums belong to an earlier scene. They count as those of this one from now on.
-    pub(super) fn take_changed(&self) -> bool {
-        self.changed.swap(false, Ordering::Relaxed)
+    /// What belongs to an earlier scene or another part of the picture, if anything does. It counts as
+    /// that of this one from now on.
+    pub(super) fn take_changed(&self) -> Option<Stale> {
+        let images = self.images_changed.swap(false, Ordering::Relaxed);
+        let sums = self.sums_changed.swap(false, Ordering::Relaxed);
+        match (images, sums) {
+            (true, _) => Some(Stale::All),
+            (false, true) => Some(Stale::Sums),
+            (false, false) => None,
+        }
     }
 
     /// The passes, once they can run.
@@ -262,6 +329,21 @@ impl SceneStars {
     }
 }
 
+/// What the kernels have to compute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stale {
+    /// The images and the sums.
+    All,
+    /// The sums: another part of the same picture is drawn.
+    Sums,
+}
+
+/// A buffer that the kernels write.
+fn star_buffer(device: &RenderDevice, size: u64) -> Buffer {
+    let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST;
+    create_buffer(device, "stars", size, usage)
+}
+
 impl Drawn {
     /// A buffer that the kernels write.
     fn buffer(&self, binding: u32) -> Option<&Buffer> {
@@ -271,24 +353,26 @@ impl Drawn {
 }
 
 impl ReadyStars<'_> {
-    /// Empties the lists and the sums.
-    pub(super) fn clear(&self, encoder: &mut CommandEncoder, queue: &RenderQueue) {
+    /// Empties what is stale of the lists and the sums.
+    pub(super) fn clear(&self, stale: Stale, encoder: &mut CommandEncoder, queue: &RenderQueue) {
         let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
+                STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
+                _ if stale == Stale::Sums => {}
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
                 CANDIDATE_COUNT => {
                     queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
                 }
-                STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}
             }
         }
     }
 
-    /// Finds the images, dims those behind the disk, and draws them.
-    pub(super) fn dispatch(&self, pass: &mut ComputePass) {
-        for (kernel, pipeline) in &self.kernels {
+    /// Finds the images and dims those behind the disk, if they are stale, and draws them.
+    pub(super) fn dispatch(&self, stale: Stale, pass: &mut ComputePass) {
+        let runs = |kernel: StarKernel| stale == Stale::All || kernel == StarKernel::Splat;
+        for (kernel, pipeline) in self.kernels.iter().filter(|(kernel, _)| runs(*kernel)) {
             let Some(bind_group) = &self.drawn.bind_groups[*kernel as usize] else {
                 continue;
             };

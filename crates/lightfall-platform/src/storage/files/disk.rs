@@ -123,14 +123,14 @@ pub fn files_in(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The folder that a file is in: the current one for a bare file name.
-fn parent_folder(path: &Path) -> &Path {
+pub(super) fn parent_folder(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."))
 }
 
 /// A temporary file in a folder. It is removed when dropped, unless it was renamed before.
-fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
+pub(super) fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lightfall-").suffix(".part");
     // By default only the owner may read a temporary file. These permissions, reduced by the
