@@ -6,8 +6,8 @@ use exr::prelude::f16;
 use glam::{DVec2, UVec2};
 use lightfall_core::scene::{Scene, SkyMode, ToneCurve};
 use lightfall_picture::{
-    Captured, ChannelNames, Channels, HeadlessOptions, LargePicture, Linear, PixelRays, PngBits,
-    Still, Studio, Tiles, exposed, png_sweeps, write_exr, write_png,
+    Captured, Channels, ExrForm, HeadlessOptions, LargePicture, Linear, PixelRays, PngBits, Still,
+    Studio, Tiles, exposed, png_sweeps, write_exr, write_png,
 };
 use std::fs;
 use std::path::Path;
@@ -46,7 +46,7 @@ fn about<'a>(scene: &'a Scene, studio: &Studio, channels: &'a Channels) -> Linea
         light: Captured::empty(),
         channels,
         samples: Vec::new(),
-        names: ChannelNames::Layers,
+        form: ExrForm::default(),
         commit: None,
         fps: None,
     }
