@@ -195,8 +195,9 @@ pub(super) fn draw_bloom(
     let encoder = context.command_encoder();
     let span = diagnostics.time_span(encoder, "bloom");
     let source = textures.base.as_ref().unwrap_or(picture);
+    // The squares of parts whose light is given back are in the base already.
     if let Some(base) = &textures.base
-        && given.is_none()
+        && (given.is_none() || part.drawn().is_none())
     {
         let mut step = begin_step(encoder, base, LoadOp::Load);
         let texels = textures.texels_of(part.wanted());
