@@ -23,7 +23,7 @@ fn fragment(@builtin(position) position: vec4<f32>) -> Pixel {
     let light = bounded_light(seen.light.rgb);
     let whole = bounded_light(light + point_light(vec2<u32>(place)));
     return Pixel(
-        vec4<f32>(whole, seen.light.a),
+        coverage(place) * vec4<f32>(whole, seen.light.a),
         vec2<u32>(ray_class(seen.outcome, seen.hit_count), u32(255.0 * shown_brightness(light) + 0.5)),
     );
 }

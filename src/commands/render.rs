@@ -1,12 +1,14 @@
 //! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
 mod checks;
+mod cube;
 mod notes;
 mod pictures;
 mod times;
 mod writer;
 
-use self::checks::{check_files, check_memory, check_times_file};
+use self::checks::{check_files, check_memory, check_projection, check_times_file};
+use self::cube::{files_of, first_drawn, is_of_side};
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
@@ -17,6 +19,7 @@ use super::output::print;
 use super::progress::{LongWork, progress};
 use super::scene::{note_missing_stars, on_stage, scene, stars};
 use super::stop::Stop;
+use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
 use lightfall_picture::{ChannelNames, Format, HeadlessOptions, Studio};
@@ -38,6 +41,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
+    check_projection(args, &scene)?;
     if format == Format::Apng && sequence.is_none() {
         return Err(Stop::refused(
             "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
@@ -62,7 +66,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
 
     let size = pictures.scene.picture.size();
     if format != Format::Exr && args.size.is_some() && args.scene.cells.is_none() {
-        note_cells(&pictures.scene.picture);
+        note_cells(&pictures.scene.shown_picture());
     }
     note_unseen_stars(args, &pictures.scene);
     note_darkness(&pictures.scene);
@@ -76,9 +80,9 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         ..HeadlessOptions::default()
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
-    let first_scene = drawn_scene(&first_scene, format);
+    let first_scene = drawn_scene(&first_drawn(&first_scene), format);
     let mut writer = PictureWriter {
-        studio: Studio::with_options(&first_scene, size, options)?,
+        studio: Studio::with_options(&first_scene, first_scene.picture.size(), options)?,
         format,
         channels: args
             .aov
@@ -106,7 +110,9 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         bar.set_message(file.display().to_string());
         writer.write(&scene, &file)?;
         if format != Format::Apng {
-            bar.suspend(|| print(&format!("{}\n", file.display())))?;
+            for file in files_of(&file) {
+                bar.suspend(|| print(&format!("{}\n", file.display())))?;
+            }
         }
         bar.inc(1);
     }
@@ -134,6 +140,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
+        && !is_of_side(&args.out)
     {
         say(format_args!(
             "lightfall: a video of them: {}",
@@ -143,9 +150,14 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     Ok(())
 }
 
+/// The size of a picture for a dome, unless another is asked for.
+const DOME_SIZE: UVec2 = UVec2::splat(2048);
+
 /// A scene with the size that was asked for.
 fn with_size(args: &RenderArgs, mut scene: Scene) -> Scene {
-    if let Some(size) = args.size {
+    // A dome's picture is a square.
+    let of_dome = args.scene.dome.then_some(DOME_SIZE);
+    if let Some(size) = args.size.or(of_dome) {
         scene.picture = resized(&scene.picture, size);
     }
     scene

@@ -3,9 +3,10 @@
 
 use super::file::PictureError;
 use super::{Channel, Channels, exr_header};
-use exr::meta::attribute::Chromaticities;
+use exr::meta::attribute::{Chromaticities, EnvironmentMap};
 use exr::prelude::*;
-use lightfall_core::scene::Scene;
+use glam::DVec2;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_core::words;
 use lightfall_platform::storage::{PictureRecord, preset_pieces, write_atomically};
 use lightfall_render::Captured;
@@ -20,7 +21,8 @@ const LIGHT: [(&str, &str); 2] = [
     ),
     (
         "A",
-        "1 everywhere, because dark things hide what is behind them",
+        "the share of the pixel within a fisheye picture's circle, by which RGB is multiplied; else 1 everywhere, because \
+         dark things hide what is behind them",
     ),
 ];
 
@@ -107,22 +109,27 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
+    let size = picture.light.size;
+    let coverage = |number: usize| {
+        let [x, y] = [number % size.x as usize, number / size.x as usize].map(|i| i as f64 + 0.5);
+        let camera = &picture.scene.camera;
+        f16::from_f64(camera.coverage(DVec2::new(x, y), size.as_dvec2()))
+    };
     let light = ["R", "G", "B", "A"]
         .into_iter()
         .enumerate()
         .map(|(i, name)| {
-            let value = |pixel: &[u16; 4]| {
+            let value = |(number, pixel): (usize, &[u16; 4])| {
                 if name == "A" {
-                    f16::ONE
+                    coverage(number)
                 } else {
                     f16::from_bits(pixel[i])
                 }
             };
-            AnyChannel::new(
-                name,
-                FlatSamples::F16(picture.light.rgba.iter().map(value).collect()),
-            )
-        });
+            let values = picture.light.rgba.iter().enumerate().map(value);
+            AnyChannel::new(name, FlatSamples::F16(values.collect()))
+        })
+        .collect::<Vec<_>>();
     let rest = picture
         .channels
         .list()
@@ -137,7 +144,7 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
             };
             AnyChannel::new(name, samples)
         });
-    AnyChannels::sort(light.chain(rest).collect())
+    AnyChannels::sort(light.into_iter().chain(rest).collect())
 }
 
 fn attributes(picture: &Linear) -> LayerAttributes {
@@ -170,6 +177,13 @@ fn attributes(picture: &Linear) -> LayerAttributes {
     });
     LayerAttributes {
         software_name: Some(text(&format!("lightfall {version}"))),
+        environment_map: match picture.scene.camera.projection {
+            Projection::Equirectangular => Some(EnvironmentMap::LatitudeLongitude),
+            Projection::Cube => Some(EnvironmentMap::Cube),
+            Projection::Perspective | Projection::Fisheye => None,
+        },
+        wrap_mode_name: (picture.scene.camera.projection == Projection::Equirectangular)
+            .then(|| text("periodic,clamp")),
         frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
         other: texts
             .into_iter()

@@ -7,6 +7,7 @@
 use crate::antialias::{AntialiasPass, edges_layout, refinement_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
+use crate::drawn_scene::DrawnScene;
 use crate::geodesic::GeodesicPass;
 use crate::graphics::run_compute_pass;
 use crate::progress::DrawnFrame;
@@ -19,6 +20,7 @@ use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
 use lightfall_core::gpu::Edges;
 use lightfall_core::gpu::bindings::{LIST, PICTURE, SEARCH, TRAITS, WORK};
+use lightfall_core::scene::Projection;
 
 pub(super) fn plugin(app: &mut App) {
     app.sub_app_mut(RenderApp).add_systems(
@@ -34,7 +36,7 @@ pub(super) fn refine_edges(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
     (If(geodesic), If(pass)): (If<Res<GeodesicPass>>, If<Res<AntialiasPass>>),
     If(request): If<Res<DrawRequest>>,
-    drawn: Res<DrawnFrame>,
+    (drawn, scene): (Res<DrawnFrame>, Res<DrawnScene>),
     cache: Res<PipelineCache>,
     queue: Res<RenderQueue>,
     mut context: RenderContext,
@@ -53,6 +55,7 @@ pub(super) fn refine_edges(
     // each frame's own rays would make the mean wrong: bright rays would be refined, dark ones not.
     let searches = request.averaged_frame().is_none_or(|frame| frame == 0);
     let search = Edges { size: targets.size };
+    let is_around = scene.camera.projection == Projection::Equirectangular;
     let refinements: Vec<_> = geodesic
         .refinements(&cache, targets.size.x)
         .zip(&targets.marks)
@@ -60,7 +63,8 @@ pub(super) fn refine_edges(
             let (_, _, columns) = &refinement;
             if searches {
                 let quick = u32::from(request.is_quick());
-                let wanted = [columns.start, columns.end, quick, 0].map(u32::to_le_bytes);
+                let around = u32::from(is_around && columns.len() == targets.size.x as usize);
+                let wanted = [columns.start, columns.end, quick, around].map(u32::to_le_bytes);
                 queue.write_buffer(&marks.search, 0, &wanted.concat());
                 queue.write_buffer(&marks.work, 0, &search.no_work());
             }

@@ -1,7 +1,10 @@
 //! What `lightfall render` checks before it draws: files and memory.
 
+use super::cube::{files_of, is_of_side};
+use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::stop::Stop;
 use glam::UVec2;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{Channels, Format, Frames, PictureError, Sequence};
 use lightfall_platform::memory::free_memory;
@@ -61,6 +64,46 @@ pub(super) fn check_times_file(file: &Path, picture: &Path) -> Result<(), Stop> 
     storage::check_writable(file).map_err(Stop::failed)
 }
 
+/// Checks that the projection of the scene's picture goes with its size, its file and the options.
+pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), Stop> {
+    let (projection, size) = (scene.camera.projection, scene.picture.size());
+    if args.scene.dome && size.x != size.y {
+        return Err(Stop::refused(format!(
+            "--size: the picture for a dome is a square, such as 2048x2048, and not {}x{}",
+            size.x, size.y
+        )));
+    }
+    if let Some(reason) = projection.refused_size(size) {
+        let origin = match args.size {
+            Some(_) => "--size",
+            None => "camera.projection",
+        };
+        return Err(Stop::refused(format!(
+            "{origin}: {reason}; --size gives another"
+        )));
+    }
+    if args.scene.cells == Some(Cells::On) && projection != Projection::Perspective {
+        return Err(Stop::refused(format!(
+            "--cells on: only perspective pictures are shown in cells, and camera.projection is {:?}",
+            projection.word()
+        )));
+    }
+    if !is_of_side(&args.out) {
+        return Ok(());
+    }
+    if projection != Projection::Cube {
+        return Err(Stop::refused(
+            "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
+        ));
+    }
+    if Format::of(&args.out)? == Format::Apng {
+        return Err(Stop::refused(
+            "-o: {face} stands for files of pictures: the name must end in .png or .exr",
+        ));
+    }
+    Ok(())
+}
+
 /// Checks that every picture can be written, before any work is done for one that could not be, and
 /// returns their format.
 pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {
@@ -68,14 +111,18 @@ pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<For
     match sequence {
         Some(sequence) if format != Format::Apng => {
             let Frames { first, last } = sequence.frames;
-            picture::check_path(&sequence.file(first))?;
-            for number in first..=last {
-                storage::check_name(&sequence.file(number))?;
+            for file in files_of(&sequence.file(first)) {
+                picture::check_path(&file)?;
+            }
+            for file in (first..=last).flat_map(|number| files_of(&sequence.file(number))) {
+                storage::check_name(&file)?;
             }
         }
         // One file, which holds the frames of a sequence, too.
         _ => {
-            picture::check_path(out)?;
+            for file in files_of(out) {
+                picture::check_path(&file)?;
+            }
         }
     }
     Ok(format)

@@ -3,11 +3,12 @@
 use super::pictures::drawn_scene;
 use crate::commands::circumstances::commit;
 use crate::commands::stop::Stop;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{
     Animation, ChannelNames, Channels, Format, Linear, PictureError, PixelRays, Still, Studio,
 };
+use lightfall_render::Captured;
 use std::path::Path;
 
 /// Draws scenes and writes their pictures.
@@ -29,6 +30,9 @@ pub(super) struct PictureWriter {
 
 impl PictureWriter {
     pub(super) fn write(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+        if scene.camera.projection == Projection::Cube {
+            return self.write_cube(scene, file);
+        }
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn)?;
         self.studio.settle()?;
@@ -50,7 +54,12 @@ impl PictureWriter {
         }
     }
 
-    fn add_frame(&mut self, scene: &Scene, file: &Path, still: &Still) -> Result<(), PictureError> {
+    pub(super) fn add_frame(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        still: &Still,
+    ) -> Result<(), PictureError> {
         let animation = match &mut self.animation {
             Some(animation) => animation,
             none => {
@@ -62,7 +71,13 @@ impl PictureWriter {
         animation.add(still)
     }
 
-    fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+    pub(super) fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+        let (light, samples) = self.data(scene)?;
+        self.write_linear(scene, file, light, samples)
+    }
+
+    /// The light of the picture that is shown, and the numbers of its channels.
+    pub(super) fn data(&mut self, scene: &Scene) -> Result<(Captured, Vec<Vec<f32>>), Stop> {
         let light = self.studio.light()?;
         let depth = if self.channels.with_depth() {
             self.studio.depth()?
@@ -79,6 +94,17 @@ impl PictureWriter {
             rays.sample(scene, &self.channels, &depth)
                 .map_err(Stop::failed)?
         };
+        Ok((light, samples))
+    }
+
+    /// Writes the light and the numbers of channels of a scene's picture.
+    pub(super) fn write_linear(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        light: Captured,
+        samples: Vec<Vec<f32>>,
+    ) -> Result<(), Stop> {
         let commit = commit();
         let picture = Linear {
             scene,

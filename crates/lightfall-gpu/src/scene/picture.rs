@@ -22,6 +22,7 @@ pub struct GpuPicture {
     pub offset: Vec2,
     pub footprint: f32,
     pub middle_solid_angle: f32,
+    pub axis: Vec2,
 }
 
 impl GpuPicture {
@@ -39,7 +40,8 @@ impl GpuPicture {
             exposure: exposure as f32,
             offset: pixel_offset(frame.sample).as_vec2(),
             footprint: f64::from(frame.samples.max(1)).sqrt().recip() as f32,
-            middle_solid_angle: scene.camera.solid_angle(0.5 * whole, whole) as f32,
+            middle_solid_angle: scene.camera.solid_angle(scene.camera.axis(whole), whole) as f32,
+            axis: scene.camera.axis_across(whole).as_vec2(),
         }
     }
 }

@@ -52,9 +52,16 @@ fn draw_stars(
     for stars in &waiting {
         stars.clear(context.command_encoder(), &queue);
     }
-    run_compute_pass(&mut context, "stars", |compute_pass| {
-        for stars in &waiting {
-            stars.dispatch(compute_pass);
+    let rounds = waiting.iter().map(|stars| stars.rounds()).max();
+    for round in 0..rounds.unwrap_or(0) {
+        let own = || waiting.iter().filter(|stars| round < stars.rounds());
+        for stars in own().filter(|_| round > 0) {
+            stars.clear_candidates(context.command_encoder());
         }
-    });
+        run_compute_pass(&mut context, "stars", |compute_pass| {
+            for stars in own() {
+                stars.dispatch(round, compute_pass);
+            }
+        });
+    }
 }

@@ -6,6 +6,7 @@ use crate::detail_limits::DetailLimits;
 use crate::geodesic::InputBuffers;
 use crate::graphics::{Graphics, create_buffer};
 use bevy::prelude::*;
+use bevy::render::render_resource::encase::internal::WriteInto;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
@@ -14,14 +15,14 @@ use lightfall_core::gpu::bindings::{
 };
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::stars::{
-    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE,
-    candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, StarKernel, StarSide,
+    TABLE_SIZE, candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
     solve_workgroups, sums_size, table_rows,
 };
 use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
 use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
 use lightfall_core::optics::stars::{Catalogue, Depth, hole_from_celestial};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Frame, Scene};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -31,8 +32,10 @@ pub(crate) struct SceneStars {
     /// and how often the kernels' shaders had been reloaded.
     written: Option<(Scene, DetailLimits, u32)>,
     numbers: UniformBuffer<GpuStars>,
-    /// Written where images are found by a mesh.
-    mesh: UniformBuffer<GpuStarMesh>,
+    /// Written where images are found by a mesh, for each of its sides, or for the picture itself.
+    meshes: Vec<UniformBuffer<GpuStarMesh>>,
+    /// The scene on each side, if there are any.
+    sides: Vec<UniformBuffer<GpuScene>>,
     starlight: UniformBuffer<GpuStarlight>,
     table: Buffer,
     /// The list of stars and the buffers that depend on its length or the picture's size.
@@ -49,8 +52,13 @@ struct Drawn {
     mesh: Option<MeshLayout>,
     /// The buffers that the kernels write.
     buffers: Vec<(u32, Buffer)>,
-    /// The bindings of the kernels, in the order of [`StarKernel::ALL`].
-    bind_groups: [Option<BindGroup>; StarKernel::ALL.len()],
+    /// The bindings of the kernels, in the order of [`StarKernel::ALL`]: those of the mesh once for
+    /// each of its sides.
+    bind_groups: [Vec<BindGroup>; StarKernel::ALL.len()],
+    /// How many pictures have a mesh.
+    rounds: usize,
+    /// Empty lists of candidates, for each round but the first.
+    no_candidates: Buffer,
 }
 
 /// A scene's stars whose passes can run.
@@ -66,7 +74,8 @@ impl SceneStars {
         Self {
             written: None,
             numbers: UniformBuffer::from(GpuStars::default()),
-            mesh: UniformBuffer::from(GpuStarMesh::default()),
+            meshes: Vec::new(),
+            sides: Vec::new(),
             starlight: UniformBuffer::from(GpuStarlight::default()),
             table: create_buffer(
                 device,
@@ -128,13 +137,31 @@ impl SceneStars {
         }
         let sky = &scene.sky;
         let turn = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
-        let mesh = Variant::uses_star_mesh(scene).then(|| mesh_layout(scene, MeshLayout::CELLS));
+        let by_mesh = Variant::uses_star_mesh(scene);
+        let sides = if by_mesh {
+            StarSide::all_of(scene)
+        } else {
+            Vec::new()
+        };
+        // All sides have the same size.
+        let searched: &Scene = sides.first().map_or(scene, |side| &side.scene);
+        let mesh = by_mesh.then(|| mesh_layout(searched, MeshLayout::CELLS));
+        let rounds = sides.len().max(1);
+        self.sides.truncate(sides.len());
         if let Some(layout) = &mesh {
             self.numbers
                 .set(GpuStars::for_mesh(scene, &list.stars, depth));
-            self.mesh
-                .set(GpuStarMesh::new(scene, layout, &list.stars, turn));
-            self.mesh.write_buffer(device, queue);
+            let own = GpuStarMesh::new(searched, layout, &list.stars, turn);
+            let on_sides = sides.iter().map(|side| own.clone().on_side(side));
+            let meshes: Vec<_> = on_sides.chain([own.clone()]).take(rounds).collect();
+            write_all(&mut self.meshes, meshes, writer.graphics);
+            let numbers = sides
+                .iter()
+                .map(|side| GpuScene::new(&side.scene, &Frame::of(&side.scene)).ok());
+            let Some(numbers) = numbers.collect::<Option<Vec<_>>>() else {
+                return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
+            };
+            write_all(&mut self.sides, numbers, writer.graphics);
         } else {
             let Ok(inversion) = Inversion::new(scene) else {
                 return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
@@ -152,12 +179,14 @@ impl SceneStars {
         self.changed.store(true, Ordering::Relaxed);
         let size = scene.picture.size();
         let fits = |drawn: &Drawn| {
-            drawn.size == size && drawn.mesh == mesh && Arc::ptr_eq(&drawn.list, &list)
+            drawn.size == size
+                && (drawn.mesh, drawn.rounds) == (mesh, rounds)
+                && Arc::ptr_eq(&drawn.list, &list)
         };
         if self.drawn.as_ref().is_some_and(fits) {
             return false;
         }
-        self.drawn = Some(self.create(list, size, mesh, numbers, &writer));
+        self.drawn = Some(self.create(list, size, (mesh, rounds), numbers, &writer));
         true
     }
 
@@ -177,7 +206,7 @@ impl SceneStars {
         &self,
         list: Arc<GpuStarList>,
         size: UVec2,
-        mesh: Option<MeshLayout>,
+        (mesh, rounds): (Option<MeshLayout>, usize),
         numbers: &UniformBuffer<GpuScene>,
         writer: &StarWriter,
     ) -> Drawn {
@@ -203,9 +232,22 @@ impl SceneStars {
             size,
             mesh,
             buffers: buffers.collect(),
-            bind_groups: [const { None }; StarKernel::ALL.len()],
+            bind_groups: [const { Vec::new() }; StarKernel::ALL.len()],
+            rounds,
+            no_candidates: create_buffer(
+                device,
+                "no candidates",
+                CANDIDATE_COUNT_SIZE,
+                BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+            ),
         };
-        for kernel in StarKernel::ALL {
+        let rounds_of = |kernel: StarKernel| if kernel.is_of_mesh() { rounds } else { 1 };
+        let all = StarKernel::ALL
+            .into_iter()
+            .flat_map(|kernel| (0..rounds_of(kernel)).map(move |round| (kernel, round)));
+        for (kernel, round) in all {
+            let side = self.sides.get(round).filter(|_| kernel.is_of_mesh());
+            let numbers = side.unwrap_or(numbers);
             // Kernels that the scene does not run have no buffers.
             let bindings = kernel.reads().iter().chain(kernel.writes());
             let entries: Option<Vec<_>> = bindings
@@ -218,7 +260,7 @@ impl SceneStars {
                         }
                         STARS => self.numbers.binding()?,
                         STAR_TABLE => self.table.as_entire_binding(),
-                        STAR_MESH => drawn.mesh.and(self.mesh.binding())?,
+                        STAR_MESH => drawn.mesh.and(self.meshes.get(round)?.binding())?,
                         STAR_LIST => drawn.list.buffer.as_entire_binding(),
                         STAR_INDEX => drawn.list.index(device).as_entire_binding(),
                         _ => drawn.buffer(*binding)?.as_entire_binding(),
@@ -228,8 +270,9 @@ impl SceneStars {
                 })
                 .collect();
             let layout = cache.get_bind_group_layout(&layout(kernel));
-            drawn.bind_groups[kernel as usize] =
+            let group =
                 entries.map(|entries| device.create_bind_group(kernel.word(), &layout, &entries));
+            drawn.bind_groups[kernel as usize].extend(group);
         }
         drawn
     }
@@ -262,6 +305,19 @@ impl SceneStars {
     }
 }
 
+/// Writes values to uniforms, which stay the same buffers as long as their number does.
+fn write_all<T: ShaderType + WriteInto + Default>(
+    uniforms: &mut Vec<UniformBuffer<T>>,
+    values: Vec<T>,
+    graphics: &Graphics,
+) {
+    uniforms.resize_with(values.len(), || UniformBuffer::from(T::default()));
+    for (uniform, value) in uniforms.iter_mut().zip(values) {
+        uniform.set(value);
+        uniform.write_buffer(&graphics.device, &graphics.queue);
+    }
+}
+
 impl Drawn {
     /// A buffer that the kernels write.
     fn buffer(&self, binding: u32) -> Option<&Buffer> {
@@ -271,14 +327,29 @@ impl Drawn {
 }
 
 impl ReadyStars<'_> {
+    /// How many times [`dispatch`](Self::dispatch) has to run: once for each picture that has a mesh.
+    pub(super) fn rounds(&self) -> usize {
+        self.drawn.rounds
+    }
+
+    /// Empties the lists of candidates for another round.
+    pub(super) fn clear_candidates(&self, encoder: &mut CommandEncoder) {
+        if let Some(count) = self.drawn.buffer(CANDIDATE_COUNT) {
+            let none = &self.drawn.no_candidates;
+            encoder.copy_buffer_to_buffer(none, 0, count, 0, CANDIDATE_COUNT_SIZE);
+        }
+    }
+
     /// Empties the lists and the sums.
     pub(super) fn clear(&self, encoder: &mut CommandEncoder, queue: &RenderQueue) {
+        let no_candidates = empty_candidate_count(self.max_traced);
+        queue.write_buffer(&self.drawn.no_candidates, 0, &no_candidates);
         let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
                 CANDIDATE_COUNT => {
-                    queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
+                    queue.write_buffer(buffer, 0, &no_candidates);
                 }
                 STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}
@@ -286,10 +357,15 @@ impl ReadyStars<'_> {
         }
     }
 
-    /// Finds the images, dims those behind the disk, and draws them.
-    pub(super) fn dispatch(&self, pass: &mut ComputePass) {
+    /// Finds the images of a round and, in the last one, dims those behind the disk and draws them.
+    pub(super) fn dispatch(&self, round: usize, pass: &mut ComputePass) {
+        let is_last = round + 1 == self.drawn.rounds;
         for (kernel, pipeline) in &self.kernels {
-            let Some(bind_group) = &self.drawn.bind_groups[*kernel as usize] else {
+            if !kernel.is_of_mesh() && !is_last {
+                continue;
+            }
+            let groups = &self.drawn.bind_groups[*kernel as usize];
+            let Some(bind_group) = groups.get(if kernel.is_of_mesh() { round } else { 0 }) else {
                 continue;
             };
             pass.set_pipeline(pipeline);

@@ -35,7 +35,10 @@ pub(in crate::app::ui::hud) fn show_markers(
         return;
     }
     let placement = picture.placement(context);
-    let camera = Mount::NOSE.0.transpose();
+    // The headings are on the axes of the flight, from which the picture may be tilted.
+    let own = &picture.scene().camera;
+    let tilt = own.tetrad_from_camera().transpose() * own.heading();
+    let camera = tilt * Mount::NOSE.0.transpose();
     let headings = [
         (Heading::Prograde, "prograde"),
         (Heading::Retrograde, "retrograde"),
@@ -46,7 +49,7 @@ pub(in crate::app::ui::hud) fn show_markers(
         visible.contains(place).then_some((heading, name, place))
     });
     let marks: Vec<_> = marks.collect();
-    let nose = placement.of_looking(glam::DVec3::Z);
+    let nose = placement.of_looking(tilt * glam::DVec3::Z);
     draw_below_boxes(context, "ship's marks", visible, |painter| {
         if let Some(nose) = nose {
             draw_nose(painter, nose);
