@@ -133,9 +133,9 @@ fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
             .map(|(x, y)| saved.get_pixel(x, y).0)
             .collect::<Vec<_>>()
     };
-    // Where messages are.
+    // Where messages are: above the read-outs, which begin at 751.
     let messages = |saved: &image::RgbImage| {
-        let pixels = (640..760).flat_map(|y| (560..880).map(move |x| (x, y)));
+        let pixels = (640..748).flat_map(|y| (560..880).map(move |x| (x, y)));
         pixels
             .map(|(x, y)| saved.get_pixel(x, y).0)
             .collect::<Vec<_>>()
