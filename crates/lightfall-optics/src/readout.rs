@@ -18,7 +18,7 @@ use crate::hot_spot::HotSpot;
 use crate::reference::Reference;
 use crate::shift::{RestFrame, Shift};
 use crate::trace::Outcome;
-use lightfall_model::geometry::observer::ObserverError;
+use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::geometry::tetrad::{four_velocity, relative_velocity};
 use lightfall_model::scene::{Effects, ObserverKind, Scene};
 
@@ -98,7 +98,7 @@ impl Readout {
             angles_deg: [camera.theta_deg, camera.phi_deg],
             speed_for_zamo: speed(ObserverKind::Zamo),
             speed_for_static: speed(ObserverKind::Static),
-            time_dilation: time_dilation(&scene)?,
+            time_dilation: dilation(&scene, &u),
             ahead: light_ahead(&scene)?,
             shadow_radius: shadow_radius(kerr, &matrix, r, theta, phi),
             acceleration: if in_free_fall {
@@ -118,17 +118,23 @@ impl Readout {
 /// # Errors
 /// If the scene's observer does not exist.
 pub fn time_dilation(scene: &Scene) -> Result<Option<f64>, ObserverError> {
-    let (camera, observer) = (&scene.camera, &scene.observer);
+    let observer = &scene.observer;
+    let matrix = scene.observer_at_camera(observer.kind, observer.velocity)?;
+    Ok(dilation(scene, &four_velocity(&matrix)))
+}
+
+/// The same for an observer of this four-velocity at the camera.
+fn dilation(scene: &Scene, u: &Photon) -> Option<f64> {
+    let camera = &scene.camera;
     let (kerr, r, [theta, _]) = (scene.kerr(), camera.r, camera.polar_angles());
-    let u = four_velocity(&scene.observer_at_camera(observer.kind, observer.velocity)?);
     let angular_momentum = r * camera.direction().cross(u.w).z;
-    Ok((r > kerr.horizon()).then(|| {
+    (r > kerr.horizon()).then(|| {
         // u^t = (E - omega L) / N^2.
         let RestFrame {
             lapse, dragging, ..
         } = RestFrame::at(kerr, r, theta);
         lapse * lapse / (u.energy - dragging * angular_momentum)
-    }))
+    })
 }
 
 fn hot_spot(scene: &Scene) -> Result<Option<HotSpotReadout>, ObserverError> {

@@ -136,6 +136,10 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
             "at = 5\nquestion = { answer = 1, tolerance = 1 }",
             "question.text = nothing is refused: it must be one line of text, from 1 to 400 characters long",
         ),
+        (
+            "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = 1, hint = 2 }",
+            "question.hint = 2 is refused: it must be one line of text, from 1 to 400 characters long",
+        ),
     ] {
         let said = fault(&format!("[[stop]]\n{stop}"));
         let number = 1 + stop.matches("[[stop]]").count();
@@ -161,9 +165,9 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
             "there is no disk.time; no stop switches it",
         ),
         (
-            "at = 5\n[stop.question]\ntext = \"a\"\nanswer = 1\ntolerance = 1\nhint = \"b\"",
+            "at = 5\n[stop.question]\ntext = \"a\"\nanswer = 1\ntolerance = 1\nhelp = \"b\"",
             13,
-            "there is no question.hint; ",
+            "there is no question.help; ",
         ),
     ] {
         let said = fault(&format!("[[stop]]\n{stop}"));

@@ -135,6 +135,11 @@ impl Attempt {
         self.outcome
     }
 
+    /// Whether the attempt has come to its end, with success or without.
+    pub fn is_over(&self) -> bool {
+        !matches!(self.outcome, Outcome::UnderWay(_))
+    }
+
     /// When each goal so far was reached, in own time.
     pub fn reached(&self) -> &[f64] {
         &self.reached

@@ -50,7 +50,7 @@ pub fn fly(attempt: &mut Attempt, burns: &[Burn]) -> Result<Outcome, SolutionErr
     for (index, burn) in burns.iter().enumerate() {
         attempt.order(orders(burn));
         fly_part(attempt, index + 1, burn)?;
-        if !matches!(attempt.outcome(), Outcome::UnderWay(_)) {
+        if attempt.is_over() {
             break;
         }
     }
@@ -122,7 +122,7 @@ fn fly_part(attempt: &mut Attempt, number: usize, burn: &Burn) -> Result<(), Sol
             Some(Event::Limit(_)) => return Ok(()),
             None => {}
         }
-        if !matches!(attempt.outcome(), Outcome::UnderWay(_)) {
+        if attempt.is_over() {
             return Ok(());
         }
     }

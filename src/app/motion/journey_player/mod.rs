@@ -16,6 +16,7 @@ use lightfall_core::scene::{Camera, Scene};
 
 /// Seconds in which the camera comes from where it is to where the journey is.
 const APPROACH: f64 = 4.0;
+
 /// A journey, and how far it has been flown.
 #[derive(Resource, Clone, Debug)]
 pub struct JourneyPlayer {

@@ -21,7 +21,7 @@ use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::numbers::with_short_numbers;
-use lightfall_core::optics::ship::{Attempt, BoardError, Outcome};
+use lightfall_core::optics::ship::BoardError;
 
 /// Takes the controls and leaves them by their key. A journey takes them away.
 pub(super) fn take_controls(
@@ -64,14 +64,10 @@ fn set_helm(ship: &ShipFlight, helm: &mut ResMut<Helm>) {
     let flies = match (ship.is_flown(), ship.attempt()) {
         (false, _) => Helm::Camera,
         (true, None) => Helm::Ship,
-        (true, Some(attempt)) if is_over(attempt) => Helm::MissionOver,
+        (true, Some(attempt)) if attempt.is_over() => Helm::MissionOver,
         (true, Some(_)) => Helm::Mission,
     };
     helm.set_if_neq(flies);
-}
-
-fn is_over(attempt: &Attempt) -> bool {
-    !matches!(attempt.outcome(), Outcome::UnderWay(_))
 }
 
 /// Does what the keys ask of the ship.

@@ -141,7 +141,7 @@ pub(super) fn watch_mission(
         play.choose_caption(attempt, time.elapsed());
     }
     let reached = attempt.reached().len();
-    let is_over = !matches!(attempt.outcome(), Outcome::UnderWay(_));
+    let is_over = attempt.is_over();
     if reached > play.reached && !is_over {
         let goal = &attempt.mission.goals[reached - 1].text;
         editor.say(format!("Reached: {goal}"));

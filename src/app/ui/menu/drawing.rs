@@ -13,7 +13,7 @@ const WIDTH: f32 = 300.0;
 const LIST_WIDTH: f32 = 640.0;
 /// Usual and minimum height of an entry, in points.
 const ENTRY_HEIGHT: f32 = 34.0;
-const MIN_ENTRY_HEIGHT: f32 = 24.0;
+const MIN_ENTRY_HEIGHT: f32 = 21.0;
 /// Room around the entries, and height of the title and of the line below them, in points.
 const PADDING: f32 = 14.0;
 const TITLE_HEIGHT: f32 = 38.0;

@@ -10,7 +10,7 @@ use bevy::prelude::*;
 use bevy_egui::egui::{Align2, LayerId, Order, Rect, vec2};
 use glam::DVec3;
 use lightfall_core::geometry::ship::Ship;
-use lightfall_core::optics::ship::{Attempt, Outcome, path_ahead};
+use lightfall_core::optics::ship::{Attempt, path_ahead};
 use std::time::Duration;
 
 /// Widths in which the map is tried, in points, and those beside the card at the end.
@@ -85,8 +85,7 @@ pub(in crate::app::ui::hud) fn show_map(
 
 /// The ship at the end of a mission, and the card that tells it, while it is shown.
 fn end_of<'a>(attempt: &'a Attempt, layout: &Layout) -> Option<(&'a Ship, Rect)> {
-    let is_over = !matches!(attempt.outcome(), Outcome::UnderWay(_));
-    let card = layout.place_of("end card").filter(|_| is_over)?;
+    let card = layout.place_of("end card").filter(|_| attempt.is_over())?;
     Some((&attempt.scored().flight.ship, card))
 }
 

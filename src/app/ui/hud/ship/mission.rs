@@ -12,7 +12,7 @@ use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32};
 use lightfall_core::numbers::{four_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
-use lightfall_core::optics::ship::{Attempt, Outcome};
+use lightfall_core::optics::ship::Attempt;
 
 /// Size of captions, in points.
 const CAPTION: f32 = 18.0;
@@ -68,7 +68,7 @@ fn show_goals(
     board.add_line(board.text(&mission.title, TEXT, WARNING, width), 0.0);
     let reached = attempt.reached().len();
     for (index, goal) in mission.goals.iter().enumerate() {
-        let is_next = index == reached && matches!(attempt.outcome(), Outcome::UnderWay(_));
+        let is_next = index == reached && !attempt.is_over();
         let sign = if index < reached { "●" } else { "○" };
         let held = match attempt.held_since().filter(|_| is_next && goal.hold > 0.0) {
             Some(since) => {
