@@ -237,7 +237,7 @@ pub fn program(start: Start) -> App {
             (input::typing::plugin, input::clicks::plugin),
             input::key_modifiers::plugin,
             input::pointer::plugin,
-            input::keyboard::plugin,
+            (input::keyboard::plugin, input::begin::plugin),
             input::layout::plugin,
             input::gamepad::plugin,
             input::touch::plugin,

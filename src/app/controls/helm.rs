@@ -1,6 +1,6 @@
 //! What keys and buttons do at the ship's controls, where this is not what they do elsewhere.
 
-use super::control::{Action, AppCommand, Control};
+use super::control::{Action, AppCommand, Control, FlightInput};
 use bevy::prelude::Message;
 
 /// What a control asks of the ship.
@@ -51,6 +51,16 @@ pub(crate) fn ship_command(
         AppCommand::Journey if is_over => ShipCommand::NextMission,
         _ => return None,
     })
+}
+
+/// Whether an action at the ship's controls flies the ship: it pushes, turns or orders it.
+pub(crate) fn flies_ship(action: Action) -> bool {
+    use FlightInput::{Faster, Narrower, Slower, Wider};
+    match action {
+        Action::Hold(input) => !matches!(input, Faster | Slower | Narrower | Wider),
+        Action::Do(command) => ship_command(command, true, false).is_some(),
+        Action::Edit(_) | Action::Load(_) | Action::StepPreset(_) => false,
+    }
 }
 
 /// What a control's key does at the ship's controls.

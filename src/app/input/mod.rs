@@ -1,5 +1,6 @@
 //! Keyboard, gamepads, mouse and fingers: what is pressed, and whom it belongs to.
 
+pub(crate) mod begin;
 pub(crate) mod clicks;
 pub(crate) mod gamepad;
 pub(crate) mod gestures;

@@ -13,6 +13,18 @@ pub(crate) struct Lamp {
     pub(crate) needed: String,
 }
 
+/// What closes the card.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Closes {
+    /// Any key, click, touch or button.
+    #[default]
+    Anything,
+    /// A key or a button of the ship, a click or a touch, which begins a mission.
+    Flying,
+    /// What the card names, and Esc: a key that is still pressed from the flight does not.
+    Named,
+}
+
 /// What the card says. Empty while there is no card.
 #[derive(Resource, Default)]
 pub(crate) struct EndCard {
@@ -23,6 +35,8 @@ pub(crate) struct EndCard {
     pub(crate) details: String,
     /// What can be done now, the nearest at hand first.
     pub(crate) ways: Vec<Way>,
+    /// What closes it.
+    pub(crate) closes: Closes,
 }
 
 impl EndCard {
@@ -43,14 +57,20 @@ impl EndCard {
         };
     }
 
-    /// A card with these ways alone.
-    pub(crate) fn new(title: &str, text: &str, ways: Vec<Way>) -> Self {
+    /// A card with these ways alone, which `closes` closes.
+    pub(crate) fn new(title: &str, text: &str, ways: Vec<Way>, closes: Closes) -> Self {
         Self {
             title: title.into(),
             text: text.into(),
             ways,
+            closes,
             ..Self::default()
         }
+    }
+
+    /// Whether the card names this control.
+    pub(crate) fn names(&self, id: &str) -> bool {
+        self.ways.iter().any(|(named, _)| *named == id)
     }
 
     pub(crate) fn close(&mut self) {
@@ -67,7 +87,8 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(PreUpdate, close_end_card.after(bevy::input::InputSystems));
 }
 
-/// The next key, click, touch or button closes the card.
+/// The next key, click, touch or button closes a card that anything closes. Fingers have no keys: a touch
+/// closes every card.
 fn close_end_card(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
@@ -77,11 +98,11 @@ fn close_end_card(
 ) {
     let used = keys.get_just_pressed().next().is_some()
         || buttons.get_just_pressed().next().is_some()
-        || touches.any_just_pressed()
         || pads
             .iter()
             .any(|pad| pad.get_just_pressed().next().is_some());
-    if used && end_card.is_open() {
+    let closes = used && end_card.closes == Closes::Anything || touches.any_just_pressed();
+    if closes && end_card.is_open() {
         end_card.close();
     }
 }

@@ -1,5 +1,7 @@
 //! The menu in the middle of the window: whether it is open, and which entry is chosen.
 
+use super::helm::Helm;
+use super::overlays::Overlays;
 use bevy::prelude::*;
 use lightfall_core::scene::presets::PRESETS;
 
@@ -171,10 +173,16 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(PreUpdate, stop_clocks);
 }
 
-/// While the menu is open, the clocks of falls and journeys stand still.
-fn stop_clocks(menu: Res<Menu>, mut time: ResMut<Time<Virtual>>) {
-    if menu.is_open() != time.is_paused() {
-        if menu.is_open() {
+/// While the menu is open, the clocks of falls and journeys stand still, and a ship's while its pilot reads
+/// the help or the settings, too.
+fn stop_clocks(
+    menu: Res<Menu>,
+    (helm, overlays): (Res<Helm>, Res<Overlays>),
+    mut time: ResMut<Time<Virtual>>,
+) {
+    let stand = menu.is_open() || helm.has_ship() && overlays.pause_flights();
+    if stand != time.is_paused() {
+        if stand {
             time.pause();
         } else {
             time.unpause();

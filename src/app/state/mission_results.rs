@@ -85,6 +85,16 @@ impl MissionResult {
         self.reached && self.rank(other) == Ordering::Less
     }
 
+    /// Whether it is the same end of the same attempt. An answer may have been given since.
+    fn is_same_end(&self, other: &Self) -> bool {
+        let unanswered = |it: &Self| Self {
+            answer: None,
+            is_right: None,
+            ..it.clone()
+        };
+        unanswered(self) == unanswered(other)
+    }
+
     /// The order of results whose goals were reached, the better one first.
     fn rank(&self, other: &Self) -> Ordering {
         let lamps = other.lamps.cmp(&self.lamps);
@@ -159,6 +169,38 @@ impl MissionResults {
         of_it.min_by(|a, b| a.rank(b))
     }
 
+    /// The failed attempt with the most of its par's quantity, which is this one.
+    #[must_use]
+    pub fn nearest_miss(&self, mission: &str, quantity: Quantity) -> Option<&MissionResult> {
+        let missed = self
+            .rows
+            .iter()
+            .filter(|row| row.mission == mission && !row.reached);
+        let valued = missed.filter_map(|row| {
+            let (its, value) = row.par?;
+            (its == quantity && value.is_finite()).then_some((row, value))
+        });
+        let most = valued.max_by(|a, b| a.1.total_cmp(&b.1));
+        most.map(|(row, _)| row)
+    }
+
+    /// Keeps the end of an attempt. `before` is an end of the same attempt from which the player went back:
+    /// the better one of the two stays. Returns the one that is kept, and why the file is not written.
+    pub fn keep(
+        &mut self,
+        before: Option<MissionResult>,
+        result: MissionResult,
+    ) -> (MissionResult, Result<(), String>) {
+        match before {
+            None => (result.clone(), self.add(result)),
+            Some(before) if before.reached && !result.is_better_than(&before) => (before, Ok(())),
+            Some(before) => {
+                let written = self.replace(&before, result.clone());
+                (result, written)
+            }
+        }
+    }
+
     /// Adds a result, also to the file.
     ///
     /// # Errors
@@ -183,6 +225,24 @@ impl MissionResults {
                 Some(index) => lines[index] = row,
                 None => lines.push(row),
             }
+        })
+    }
+
+    /// Replaces an earlier end of an attempt, also in the file.
+    ///
+    /// # Errors
+    /// As those of [`add`](Self::add).
+    fn replace(&mut self, old: &MissionResult, result: MissionResult) -> Result<(), String> {
+        let row = result.row();
+        match self.rows.iter().rposition(|kept| kept.is_same_end(old)) {
+            Some(index) => self.rows[index] = result,
+            None => self.rows.push(result),
+        }
+        let is_old =
+            |line: &String| MissionResult::read(line).is_some_and(|it| it.is_same_end(old));
+        self.rewrite(|lines| match lines.iter().rposition(is_old) {
+            Some(index) => lines[index] = row,
+            None => lines.push(row),
         })
     }
 

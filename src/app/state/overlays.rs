@@ -52,6 +52,8 @@ pub(crate) struct Overlays {
     pub(crate) inspector: bool,
     pub(crate) guides: bool,
     pub(crate) star_names: bool,
+    /// Whether the panel, where it is open, is at its page of settings.
+    pub(crate) at_settings: bool,
     /// What shows the ship's path.
     pub(crate) path: PathShown,
     /// Whether every overlay and the status bar are hidden for now.
@@ -91,6 +93,11 @@ impl Overlays {
 
     pub(crate) fn shows_panel(&self) -> bool {
         self.panel && !self.hidden && self.covered != Some(Side::Right)
+    }
+
+    /// Whether something is open that is read while a ship must not fly on: the help, or the settings.
+    pub(crate) fn pause_flights(&self) -> bool {
+        self.help && !self.hidden || self.at_settings && self.shows_panel()
     }
 
     pub(crate) fn shows_guides(&self) -> bool {

@@ -14,12 +14,10 @@ const KEY: egui::Color32 = egui::Color32::from_rgb(255, 205, 120);
 /// Colours of the other words.
 const WHITE: egui::Color32 = egui::Color32::from_gray(240);
 const GREY: egui::Color32 = egui::Color32::from_gray(215);
-/// Colours of the lamps that are lit: goals, par, time.
-const LIT: [egui::Color32; 3] = [
-    egui::Color32::from_rgb(90, 225, 120),
-    egui::Color32::from_rgb(255, 200, 60),
-    egui::Color32::from_rgb(110, 190, 255),
-];
+/// Colours of the lamps that are lit.
+const GOALS: egui::Color32 = egui::Color32::from_rgb(90, 225, 120);
+const PAR: egui::Color32 = egui::Color32::from_rgb(255, 200, 60);
+const TIME: egui::Color32 = egui::Color32::from_rgb(110, 190, 255);
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -83,7 +81,12 @@ fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
 
 /// Shows the lamps, each with its name and what it needed.
 fn show_lamps(ui: &mut egui::Ui, lamps: &[Lamp], size: f32) {
-    for (lamp, lit) in lamps.iter().zip(LIT) {
+    for lamp in lamps {
+        let lit = match lamp.name {
+            "par" => PAR,
+            "time" => TIME,
+            _ => GOALS,
+        };
         let (sign, colour) = if lamp.is_lit {
             ("●", lit)
         } else {

@@ -3,6 +3,7 @@
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::steering::is_inside;
 use crate::app::state::end_card::EndCard;
+use crate::app::state::helm::Helm;
 use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::notice::Notice;
 use crate::app::ui::layout::{Importance, Layout, Slide};
@@ -35,14 +36,15 @@ fn show_notice(
     notice: Res<Notice>,
     hole: Res<HoleInView>,
     end_card: Res<EndCard>,
-    bindings: Res<Bindings>,
+    (bindings, helm): (Res<Bindings>, Res<Helm>),
 ) {
     let Some((context, layout)) = screen.texts().filter(|_| !end_card.is_open()) else {
         return;
     };
     if let Some([title, text]) = notice.lines {
         draw(context, layout, title, text);
-    } else if hole.0.is_some_and(|hole| hole.fills_view) {
+    } else if hole.0.is_some_and(|hole| hole.fills_view) && !helm.has_ship() {
+        // A ship's pilot knows where the hole is, and these keys do other things there.
         let text = way_out(is_inside(&scene), &bindings);
         draw(context, layout, "The hole fills the view", &text);
     } else if scene.view.shows_light() && !scene.shines() {

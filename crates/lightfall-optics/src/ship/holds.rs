@@ -66,6 +66,28 @@ impl Hold {
     /// # Errors
     /// There is no such hold here.
     pub fn acceleration(self, ship: &Ship, max_acceleration: f64) -> Result<DVec3, HoldRefusal> {
+        let time = RESPONSE / motion_rate(ship);
+        Ok(steer(
+            ship,
+            &self.target(ship, time)?,
+            time,
+            max_acceleration,
+        ))
+    }
+
+    /// The rapidity between the ship's velocity and the one of this hold: what the change takes before the
+    /// hold needs its own thrust.
+    ///
+    /// # Errors
+    /// There is no such hold here.
+    pub fn rapidity(self, ship: &Ship) -> Result<f64, HoldRefusal> {
+        let target = self.target(ship, RESPONSE / motion_rate(ship))?;
+        let difference = components(&ship.frame(), target.velocity).yzw();
+        Ok(difference.length().asinh())
+    }
+
+    /// What the hold steers to, and goes back to its radius in about the time `time`.
+    fn target(self, ship: &Ship, time: f64) -> Result<Target, HoldRefusal> {
         let place = ship.place();
         let kerr = place.kerr;
         // Azimuths matter in no hold, so any will do on the axis.
@@ -73,15 +95,13 @@ impl Hold {
             zamo_axes(&place, place.azimuth().unwrap_or(0.0)).ok_or(HoldRefusal::Inside {
                 horizon: kerr.horizon(),
             })?;
-        let time = RESPONSE / motion_rate(ship);
         let back =
             |r: f64| ((r - place.r) / (2.0 * time)).clamp(-MAX_RETURN_SPEED, MAX_RETURN_SPEED);
-        let target = match self {
-            Self::Orbit(r) => orbit(ship, &place, &zamo, back(r))?,
-            Self::Hover(r) => at_rest(&place, back(r))?,
-            Self::Zamo(r) => with_zamo(&place, &zamo, back(r)),
-        };
-        Ok(steer(ship, &target, time, max_acceleration))
+        match self {
+            Self::Orbit(r) => orbit(ship, &place, &zamo, back(r)),
+            Self::Hover(r) => at_rest(&place, back(r)),
+            Self::Zamo(r) => Ok(with_zamo(&place, &zamo, back(r))),
+        }
     }
 }
 

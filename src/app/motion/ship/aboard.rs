@@ -17,16 +17,27 @@ use lightfall_core::scene::mission::{Mission, Quantity};
 /// does.
 const FIRST_THRUST: f64 = 1.0;
 
+/// What a flight goes back to: the ship, and what held and turned it then.
+#[derive(Clone, Debug)]
+pub(super) struct Checkpoint {
+    flown: Flown,
+    hold: Option<Hold>,
+    nose: Nose,
+}
+
 /// A ship with a pilot.
 #[derive(Clone, Debug)]
 pub(super) struct Aboard {
     pub(super) flown: Flown,
     /// The path so far.
     pub(super) track: Track,
-    /// The flight at the last goal, or at the start.
-    pub(super) checkpoint: Flown,
+    /// The flight at the last goal, if one was reached.
+    goal: Option<Checkpoint>,
+    /// Whether the flight went back to that goal and nothing has pushed the ship since: the same path would
+    /// lead to the same end.
+    repeats: bool,
     /// The flight at its start.
-    start: Flown,
+    start: Checkpoint,
     /// Whether the flight has come to its end, so that its time stands still.
     pub(super) has_ended: bool,
     /// Whether the ship's time passed in the last frame.
@@ -41,7 +52,10 @@ pub(super) struct Aboard {
     pub(super) is_far: bool,
     pub(super) hold: Option<Hold>,
     pub(super) nose: Nose,
-    first_nose: Nose,
+    /// Whether faster time has ended at a turning point, so that asking for it again passes them.
+    pub(super) stopped_at_apsis: bool,
+    /// Whether faster time goes on through turning points.
+    pub(super) passes_apsides: bool,
     /// Where the pilot looks.
     pub(super) head: Head,
     /// The hand's input in the last frame.
@@ -81,8 +95,15 @@ impl Aboard {
     pub(super) fn new(flown: Flown, scene: &Scene, nose: Nose, head: Head) -> Self {
         let time_scale = scene.camera.r.powf(1.5);
         Self {
-            checkpoint: flown.clone(),
-            start: flown.clone(),
+            goal: None,
+            repeats: false,
+            start: Checkpoint {
+                flown: flown.clone(),
+                hold: None,
+                nose,
+            },
+            stopped_at_apsis: false,
+            passes_apsides: false,
             has_ended: false,
             moves: false,
             track: Track::new(flown.ship()),
@@ -92,7 +113,6 @@ impl Aboard {
             pace: 1.0,
             is_far: false,
             hold: None,
-            first_nose: nose,
             head,
             nose,
             stick: Stick::NEUTRAL,
@@ -102,16 +122,54 @@ impl Aboard {
 
     /// Goes back to the start.
     pub(super) fn begin_again(&mut self) {
-        self.checkpoint = self.start.clone();
+        (self.goal, self.repeats) = (None, false);
         self.return_to(self.start.clone());
-        self.nose = self.first_nose;
+    }
+
+    /// Goes back to the last goal, or to the start: without a goal, and where the last way back led to that
+    /// goal and nothing pushed the ship since. Returns whether it is the goal.
+    pub(super) fn go_back(&mut self) -> bool {
+        match self.goal.clone().filter(|_| !self.repeats) {
+            Some(goal) => {
+                self.return_to(goal);
+                self.repeats = true;
+                true
+            }
+            None => {
+                self.begin_again();
+                false
+            }
+        }
+    }
+
+    /// Keeps the flight at a goal that was reached in this frame.
+    pub(super) fn keep_goal(&mut self) {
+        self.repeats = false;
+        self.goal = Some(Checkpoint {
+            flown: self.flown.clone(),
+            hold: self.hold,
+            nose: self.nose,
+        });
+    }
+
+    /// Notes that something pushes the ship, so that its path is another one and turning points ahead are
+    /// news.
+    pub(super) fn note_push(&mut self) {
+        self.repeats = false;
+        self.end_passing();
+    }
+
+    /// Lets faster time end at the next turning point again.
+    pub(super) fn end_passing(&mut self) {
+        (self.stopped_at_apsis, self.passes_apsides) = (false, false);
     }
 
     /// Puts an earlier state of the flight in place.
-    pub(super) fn return_to(&mut self, flown: Flown) {
+    fn return_to(&mut self, earlier: Checkpoint) {
+        let Checkpoint { flown, hold, nose } = earlier;
         self.track.cut(flown.ship().proper_time());
-        self.flown = flown;
-        self.engine_off();
+        (self.flown, self.hold, self.nose) = (flown, hold, nose);
+        self.end_passing();
         (self.pace, self.is_far, self.has_ended) = (1.0, false, false);
     }
 

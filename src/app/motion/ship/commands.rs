@@ -12,9 +12,10 @@ use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::motion::flight_step::FlightStep;
 use crate::app::motion::hand::HandInputs;
 use crate::app::motion::pilot::Pilot;
-use crate::app::state::end_card::EndCard;
+use crate::app::state::end_card::{Closes, EndCard};
 use crate::app::state::helm::Helm;
 use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
+use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -75,21 +76,38 @@ pub(super) fn apply_ship_commands(
     mut commands: MessageReader<ShipCommand>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
+    mut end_card: ResMut<EndCard>,
     (missions, mut starts): (Res<Missions>, MessageWriter<StartMission>),
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut editor: SceneEditor,
 ) {
-    let units = preferences.settings.units();
+    let units = ship.units(&preferences.settings);
     for command in commands.read() {
         let Some(voyage) = ship.voyage() else {
             continue;
         };
         let flying = voyage.flight.ship;
+        let leads_on = matches!(
+            command,
+            ShipCommand::Checkpoint | ShipCommand::Again | ShipCommand::NextMission
+        );
+        if end_card.is_open() && end_card.closes == Closes::Named {
+            // A key of the flight that is pressed as it ends would change what stands still.
+            if !leads_on {
+                continue;
+            }
+            end_card.close();
+        }
         match command {
             ShipCommand::EngineOff => {
                 let followed = ship.heading();
                 ship.engine_off();
                 editor.say(words::engine_off(followed));
+            }
+            ShipCommand::HoldOrbit | ShipCommand::Hover
+                if ship.hold().is_none() && !ship.can_push() =>
+            {
+                editor.say(words::no_thrust(&ship));
             }
             ShipCommand::HoldOrbit | ShipCommand::Hover => {
                 let kind = match command {
@@ -97,7 +115,7 @@ pub(super) fn apply_ship_commands(
                     _ => HoldKind::Still,
                 };
                 editor.say(match ship.switch_hold(kind) {
-                    Ok(_) => words::holding(ship.hold(), kind, units),
+                    Ok(_) => words::holding(&ship, kind, units),
                     Err(refusal) => capitalised(&refusal.to_string()),
                 });
             }
@@ -119,8 +137,12 @@ pub(super) fn apply_ship_commands(
             }
             ShipCommand::Checkpoint => {
                 asked.close();
-                ship.go_back();
-                editor.say("Back at the last goal, or the start");
+                let is_goal = ship.go_back();
+                play.go_back(is_goal);
+                editor.say(match is_goal {
+                    true => "Back at the last goal",
+                    false => "Back at the start",
+                });
             }
             ShipCommand::Again => {
                 asked.close();
@@ -156,7 +178,7 @@ pub(crate) fn advance_ship(
     mut pilot: ResMut<Pilot>,
     mut ship: ResMut<ShipFlight>,
     mut helm: ResMut<Helm>,
-    (paused, shot): (Res<Paused>, Res<WindowShot>),
+    (paused, shot, overlays): (Res<Paused>, Res<WindowShot>, Res<Overlays>),
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     (mut end_card, asked): (ResMut<EndCard>, Res<AskedQuestion>),
     mut editor: SceneEditor,
@@ -166,8 +188,8 @@ pub(crate) fn advance_ship(
     }
     ship.change_thrust(std::mem::take(&mut pilot.notches));
     let before = editor.drawn_scene();
-    // While a card is read or a question is answered, the clocks stand still.
-    let reads = end_card.is_open() || asked.question().is_some();
+    // While a card, the help or the settings are read, or a question is answered, the clocks stand still.
+    let reads = end_card.is_open() || asked.question().is_some() || overlays.pause_flights();
     let stands = paused.0 || shot.holds_still() || reads;
     let seconds = inputs.seconds();
     let frame = ShipFrame {
@@ -187,7 +209,7 @@ pub(crate) fn advance_ship(
         FlightStep::Ended(next) if ship.attempt().is_some() => editor.fly(&next),
         FlightStep::Ended(next) => {
             editor.fly(&next);
-            let text = words::ending(&ship, preferences.settings.units());
+            let text = words::ending(&ship, ship.units(&preferences.settings));
             let again = ("scene.undo", "back to where you took the ship");
             end_card.show("The flight ends here", &text, again, None);
             ship.leave();
@@ -198,7 +220,7 @@ pub(crate) fn advance_ship(
         )),
     }
     if let Some(news) = news {
-        editor.say(words::news(news));
+        editor.say(words::news(news, &bindings));
     }
     set_helm(&ship, &mut helm);
 }

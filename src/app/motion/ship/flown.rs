@@ -88,8 +88,23 @@ impl Flown {
         }
     }
 
-    /// The radii in the conditions of the next goal.
+    /// Whether a mission has come to its end.
+    pub(super) fn is_over(&self) -> bool {
+        matches!(self, Self::Mission(attempt) if attempt.is_over())
+    }
+
+    /// The radii at which the ship must be for the next goal.
     pub(super) fn radii(&self) -> Vec<f64> {
+        self.radii_of(&[Quantity::R])
+    }
+
+    /// The same, with those at which the lowest and the highest point of the path must be.
+    pub(super) fn goal_radii(&self) -> Vec<f64> {
+        self.radii_of(&[Quantity::R, Quantity::Periapsis, Quantity::Apoapsis])
+    }
+
+    /// The values of these quantities in the conditions of the next goal.
+    fn radii_of(&self, quantities: &[Quantity]) -> Vec<f64> {
         let Self::Mission(attempt) = self else {
             return Vec::new();
         };
@@ -97,7 +112,7 @@ impl Flown {
         let conditions = goal.map_or(&[][..], |goal| &goal.all);
         let radii = conditions
             .iter()
-            .filter(|condition| condition.quantity == Quantity::R)
+            .filter(|condition| quantities.contains(&condition.quantity))
             .filter(|condition| condition.comparison != Comparison::Equal);
         radii.map(|condition| condition.value).collect()
     }

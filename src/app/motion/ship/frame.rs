@@ -96,19 +96,23 @@ impl Aboard {
         }
         let wanted = far.unwrap_or(rate * seconds);
         let stop = (self.pace > 1.0)
-            .then(|| first_stop(self.flown.voyage(), wanted, &self.flown.radii()))
+            .then(|| {
+                let radii = self.flown.radii();
+                first_stop(self.flown.voyage(), wanted, &radii, self.passes_apsides)
+            })
             .flatten();
         let time = stop.map_or(wanted, |(time, _)| time);
         let fuel = self.flown.voyage().flight.rocket;
         let before = self.flown.ship().proper_time();
         let goals = self.flown.goals_reached();
         self.flown.advance(time, &mut self.track)?;
-        if self.flown.goals_reached() > goals {
-            self.checkpoint = self.flown.clone();
+        if self.flown.goals_reached() > goals && !self.flown.is_over() {
+            self.keep_goal();
         }
         let mut news = (self.is_far && !was_far).then_some(News::Far);
         if let Some((_, stop)) = stop {
             self.pace = 1.0;
+            self.stopped_at_apsis = matches!(stop, Stop::Low | Stop::High);
             news = Some(News::Slowed(stop));
         }
         let flight = &self.flown.voyage().flight;
@@ -141,6 +145,7 @@ impl Aboard {
         if stick.thrust != DVec3::ZERO {
             self.hold = None;
             self.pace = self.pace.min(1.0);
+            self.note_push();
         }
         let seconds = frame.turn_seconds.min(MAX_FRAME_SECONDS);
         let turn = stick.turn

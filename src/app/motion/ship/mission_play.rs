@@ -5,7 +5,7 @@ use super::ship_flight::ShipFlight;
 use super::words;
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::camera_motions::CameraMotions;
-use crate::app::state::end_card::EndCard;
+use crate::app::state::end_card::{Closes, EndCard};
 use crate::app::state::mission_results::MissionResult;
 use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
 use crate::app::state::preferences::Preferences;
@@ -15,7 +15,7 @@ use bevy::prelude::*;
 use lightfall_core::numbers::with_short_numbers;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::ship::{Attempt, Clocks, Outcome};
-use lightfall_core::scene::mission::{Hint, Mission};
+use lightfall_core::scene::mission::{Better, Hint, Mission};
 use lightfall_platform::worker::Follower;
 use std::time::Duration;
 
@@ -29,6 +29,10 @@ pub(crate) struct MissionPlay {
     shown: Vec<bool>,
     /// The caption that is shown, and since when.
     caption: Option<(usize, Duration)>,
+    /// Which captions were shown, which one is, and how many goals were reached, at the last goal.
+    at_goal: (Vec<bool>, Option<usize>, usize),
+    /// The result of this attempt, if it has come to an end: going back goes on with the same attempt.
+    kept: Option<MissionResult>,
     /// How many goals were reached when the window last looked.
     reached: usize,
     /// Whether the end of the attempt was told.
@@ -53,6 +57,36 @@ impl MissionPlay {
             failed: self.failed,
             ..Self::default()
         };
+    }
+
+    /// Goes on with the attempt from the last goal, or from the start.
+    pub(super) fn go_back(&mut self, to_goal: bool) {
+        let (shown, caption, reached) = match to_goal {
+            true => self.at_goal.clone(),
+            false => Default::default(),
+        };
+        // One that was read when the goal was reached gives way to what is due now.
+        let caption = caption.map(|index| (index, Duration::ZERO));
+        *self = Self {
+            ended: self.ended,
+            failed: self.failed,
+            kept: self.kept.take(),
+            at_goal: self.at_goal.clone(),
+            shown,
+            caption,
+            reached,
+            ..Self::default()
+        };
+    }
+
+    /// Notes how many goals are reached. Returns whether one more is.
+    fn note_goals(&mut self, reached: usize) -> bool {
+        let has_more = reached > self.reached;
+        if has_more {
+            self.at_goal = (self.shown.clone(), self.caption(), reached);
+        }
+        self.reached = reached;
+        has_more
     }
 
     /// Chooses the caption: a new one whose conditions hold, once the last one can have been read.
@@ -114,11 +148,12 @@ pub(super) fn start_missions(
         }
         *play = MissionPlay::default();
         times.0.follow(Mission::clone(mission));
-        let units = preferences.settings.units();
+        let units = ship.units(&preferences.settings);
         *end_card = EndCard::new(
             &mission.title,
             &bindings.with_keys(&words::brief(mission, units)),
             words::first_keys(mission),
+            Closes::Flying,
         );
     }
 }
@@ -134,19 +169,23 @@ pub(super) fn watch_mission(
     mut editor: SceneEditor,
 ) {
     let Some(attempt) = ship.attempt() else {
+        // Whoever leaves a mission leaves its card.
+        if end_card.is_open() && end_card.closes != Closes::Anything {
+            end_card.close();
+        }
         return;
     };
+    let units = ship.units(&preferences.settings);
+    let reached = attempt.reached().len();
+    let is_over = attempt.is_over();
+    if play.note_goals(reached) && !is_over {
+        let goal = units.in_text(&attempt.mission.goals[reached - 1].text);
+        editor.say(format!("Reached: {goal}"));
+    }
     // Captions come after the card with the task.
     if !end_card.is_open() {
         play.choose_caption(attempt, time.elapsed());
     }
-    let reached = attempt.reached().len();
-    let is_over = attempt.is_over();
-    if reached > play.reached && !is_over {
-        let goal = &attempt.mission.goals[reached - 1].text;
-        editor.say(format!("Reached: {goal}"));
-    }
-    play.reached = reached;
     if !is_over {
         play.told = false;
         return;
@@ -160,25 +199,29 @@ pub(super) fn watch_mission(
     };
     play.told = true;
     play.caption = None;
-    play.ended += 1;
+    let before = play.kept.take();
+    play.ended += u32::from(before.is_none());
     let has_succeeded = attempt.outcome() == Outcome::Success;
     if !has_succeeded {
         play.failed += 1;
     }
     let lit = lamps(attempt, solution_time);
     let kept = result_row(attempt, lit, play.ended);
-    let units = preferences.settings.units();
     let hint = (!has_succeeded)
         .then(|| due_hint(&attempt.mission.hints, play.failed))
         .flatten();
     let best = missions.results.best(&kept.mission).cloned();
-    if let Err(fault) = missions.results.add(kept.clone()) {
+    let nearest = nearest_miss(&missions, attempt).cloned();
+    let (row, written) = missions.results.keep(before, kept.clone());
+    if let Err(fault) = written {
         editor.say(fault);
     }
+    play.kept = Some(row.clone());
     let end = words::End {
         attempt,
         kept: &kept,
         best: best.as_ref(),
+        nearest: nearest.as_ref(),
         lit,
         solution_time,
         hint,
@@ -188,9 +231,17 @@ pub(super) fn watch_mission(
     card.text = bindings.with_keys(&card.text);
     let question = attempt.mission.questions.first();
     match question.filter(|_| has_succeeded) {
-        Some(question) => asked.ask(question.clone(), kept, card),
+        Some(question) => asked.ask(question.clone(), row, card),
         None => *end_card = card,
     }
+}
+
+/// The failed attempt so far that came nearest to the par of a mission that wants more of something.
+fn nearest_miss<'a>(missions: &'a Missions, attempt: &Attempt) -> Option<&'a MissionResult> {
+    let mission = &attempt.mission;
+    let par = mission.pars.first();
+    let par = par.filter(|par| par.better == Better::More)?;
+    missions.results.nearest_miss(&mission.name, par.quantity)
 }
 
 /// The hint for so many failed attempts: the last one that is due.

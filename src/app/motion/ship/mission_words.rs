@@ -1,14 +1,14 @@
 //! What the window says of a mission.
 
 use super::score::{par_limit, time_limit};
-use crate::app::state::end_card::{EndCard, Lamp, Way};
+use crate::app::state::end_card::{Closes, EndCard, Lamp, Way};
 use crate::app::state::mission_results::MissionResult;
 use lightfall_core::numbers::{counted, four_digits, three_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Attempt, Outcome};
 use lightfall_core::scene::mission::{Better, Goal, Mission, MissionKey, Par, Quantity};
 
-/// What the card at the start of a mission says.
+/// What the card at the start of a mission says. Names of controls stand in braces.
 pub(super) fn brief(mission: &Mission, units: Units) -> String {
     let goals = mission.goals.iter().enumerate();
     let goals = goals.map(|(index, goal)| format!("\n{}. {}", index + 1, goal_words(goal, units)));
@@ -17,16 +17,18 @@ pub(super) fn brief(mission: &Mission, units: Units) -> String {
         0.0 => "Your ship has no engine.".into(),
         rapidity => format!("Your tank holds a rapidity of {}.", four_digits(rapidity)),
     };
-    format!("{} {fuel}\n{goals}", mission.brief)
+    let brief = units.in_text(&mission.brief);
+    format!("{brief} {fuel}\n{goals}\n\nAny flight key, {{journey.again}} or a click begins.")
 }
 
 /// A goal in words, with the time for which it must be held unless its text says the same.
 fn goal_words(goal: &Goal, units: Units) -> String {
+    let text = units.in_text(&goal.text);
     let held = format!("for {}", units.time(goal.hold, four_digits));
-    if goal.hold == 0.0 || goal.text.contains(&held) {
-        goal.text.clone()
+    if goal.hold == 0.0 || text.contains(&held) {
+        text
     } else {
-        format!("{} ({held})", goal.text)
+        format!("{text} ({held})")
     }
 }
 
@@ -92,6 +94,8 @@ pub(super) struct End<'a> {
     pub(super) kept: &'a MissionResult,
     /// The best result before this one.
     pub(super) best: Option<&'a MissionResult>,
+    /// The failed attempt before this one that came nearest to the par, where one can come nearer.
+    pub(super) nearest: Option<&'a MissionResult>,
     pub(super) lit: [bool; 3],
     pub(super) solution_time: Option<f64>,
     pub(super) hint: Option<&'a str>,
@@ -108,23 +112,24 @@ pub(super) fn end(end: &End, units: Units) -> EndCard {
     };
     let [reached, ..] = end.lit;
     let title = if reached { "Reached" } else { "Not reached" };
-    let hint = end
-        .hint
-        .map_or_else(String::new, |hint| format!("\n\nHint: {hint}"));
+    let hint = end.hint.map_or_else(String::new, |hint| {
+        format!("\n\nHint: {}", units.in_text(hint))
+    });
     let numbers = numbers(mission, end.kept, units);
-    let record = record(end.kept, end.best);
+    let record = record(end);
     EndCard {
         lamps: lamps_shown(end, units),
         details: format!("{numbers}{record}{hint}"),
         ..EndCard::new(
             &format!("{title}: {}", mission.title),
-            ending,
+            &units.in_text(ending),
             ways_on(reached, end.has_next),
+            Closes::Named,
         )
     }
 }
 
-/// The three lamps, and what each needed.
+/// The lamps that need something of their own, and what it is.
 fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
     let mission = &end.attempt.mission;
     let goals = counted(mission.goals.len(), "goal");
@@ -146,29 +151,33 @@ fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
         let limit = units.time(time_limit(time), four_digits);
         format!("needed at most {limit} on your clock")
     });
-    let with_goals = || "as the goals".to_owned();
-    let needed = [
-        ("goals", reached),
-        ("par", par.unwrap_or_else(with_goals)),
-        ("time", time.unwrap_or_else(with_goals)),
-    ];
+    // Without a par or a solution its lamp says what that of the goals does.
+    let needed = [("goals", Some(reached)), ("par", par), ("time", time)];
     let lamps = needed.into_iter().zip(end.lit);
     lamps
-        .map(|((name, needed), is_lit)| Lamp {
-            name,
-            is_lit,
-            needed,
+        .filter_map(|((name, needed), is_lit)| {
+            Some(Lamp {
+                name,
+                is_lit,
+                needed: needed?,
+            })
         })
         .collect()
 }
 
-/// The best result before this one, and whether this one is better.
-fn record(kept: &MissionResult, best: Option<&MissionResult>) -> String {
-    let Some(best) = best else {
-        return match kept.reached {
-            true => "\nThis is your first success here.".into(),
-            false => String::new(),
-        };
+/// The best result before this one, and whether this one is better; without one, how near a failed attempt
+/// came.
+fn record(end: &End) -> String {
+    let kept = end.kept;
+    let Some(best) = end.best else {
+        if kept.reached {
+            return "\nThis is your first success here.".into();
+        }
+        let nearest = end.nearest.and_then(|nearest| nearest.par);
+        return nearest.map_or_else(String::new, |(quantity, value)| {
+            let name = quantity.word().replace('_', " ");
+            format!("\nYour best before: {name} {}.", four_digits(value))
+        });
     };
     let lamps = counted(best.lamps, "lamp");
     let rapidity = four_digits(best.rapidity_used);

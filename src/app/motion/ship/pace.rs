@@ -140,13 +140,18 @@ pub enum Stop {
 }
 
 /// The first stop of a ship that coasts or is held, within the own time `time`: when, and which.
-/// `radii` are those of the goals.
-pub(super) fn first_stop(voyage: &Voyage, time: f64, radii: &[f64]) -> Option<(f64, Stop)> {
+/// `radii` are those of the goals. Turning points are none if it passes them.
+pub(super) fn first_stop(
+    voyage: &Voyage,
+    time: f64,
+    radii: &[f64],
+    passes_apsides: bool,
+) -> Option<(f64, Stop)> {
     let ship = &voyage.flight.ship;
     let place = ship.place();
     let least = LEAST_TIME * place.r.powf(1.5);
     let coasts = voyage.flight.acceleration().length() == 0.0;
-    let apsis = (coasts && !Apsides::of(ship).are_round())
+    let apsis = (coasts && !passes_apsides && !Apsides::of(ship).are_round())
         .then(|| time_to_apsis(ship))
         .flatten()
         .map(|after| {

@@ -7,8 +7,10 @@ use super::head::Head;
 use super::nose::Nose;
 use super::pace::{Engine, PACE_STEP, SLOWEST};
 use super::track::Track;
+use crate::app::state::settings::Settings;
 use bevy::prelude::Resource;
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{
     Attempt, BoardError, Flight, Heading, Hold, HoldRefusal, Mount, Rocket, StartError, Voyage,
     board,
@@ -77,11 +79,11 @@ impl ShipFlight {
         self.aboard = None;
     }
 
-    /// Goes back to the last goal, or to the start.
-    pub fn go_back(&mut self) {
-        if let Some(aboard) = &mut self.aboard {
-            aboard.return_to(aboard.checkpoint.clone());
-        }
+    /// Goes back to the last goal, with what held and turned the ship there, or to the start: without a
+    /// goal, and where the last way back led to that goal and nothing pushed the ship since. Returns whether
+    /// it is the goal.
+    pub fn go_back(&mut self) -> bool {
+        self.aboard.as_mut().is_some_and(Aboard::go_back)
     }
 
     /// Goes back to the start.
@@ -193,12 +195,52 @@ impl ShipFlight {
         self.aboard.as_ref().map(|aboard| &aboard.track)
     }
 
-    /// The radii in the conditions of a mission's next goal, in r_s.
+    /// The radii in the conditions of a mission's next goal, those of the lowest and the highest point of
+    /// the path, too, in r_s.
     #[must_use]
     pub fn goal_radii(&self) -> Vec<f64> {
         self.aboard
             .as_ref()
-            .map_or_else(Vec::new, |aboard| aboard.flown.radii())
+            .map_or_else(Vec::new, |aboard| aboard.flown.goal_radii())
+    }
+
+    /// The units of texts: with simple words, those of everyday life for the hole's mass, which is a
+    /// mission's own.
+    pub(crate) fn units(&self, settings: &Settings) -> Units {
+        match self.mass() {
+            Some(mass) if settings.units().are_simple() => Units::Everyday(mass),
+            _ => settings.units(),
+        }
+    }
+
+    /// Whether the ship has an engine. A tank without fuel is one.
+    #[must_use]
+    pub fn has_engine(&self) -> bool {
+        self.voyage().is_some_and(|voyage| {
+            let rocket = &voyage.flight.rocket;
+            rocket.left() + rocket.used() > 0.0
+        })
+    }
+
+    /// Whether the engine can push: there is fuel.
+    #[must_use]
+    pub fn can_push(&self) -> bool {
+        self.has_engine() && !self.is_empty()
+    }
+
+    /// The rapidity that the hold takes to reach its motion, and what is left in the tank.
+    #[must_use]
+    pub fn hold_takes(&self) -> Option<[f64; 2]> {
+        let flight = &self.voyage()?.flight;
+        let rapidity = self.hold()?.rapidity(&flight.ship).ok()?;
+        Some([rapidity, flight.rocket.left()])
+    }
+
+    /// Whether the tank of its engine is empty.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        let is_empty = |voyage: &Voyage| voyage.flight.rocket.left() == 0.0;
+        self.has_engine() && self.voyage().is_some_and(is_empty)
     }
 
     /// The time of a turn of the clocks' dials, in r_s/c.
@@ -216,10 +258,15 @@ impl ShipFlight {
     }
 
     /// Doubles the pace this many times; a negative number halves it. Where time runs more slowly than
-    /// the pace says, it is not doubled.
+    /// the pace says, it is not doubled. Where faster time has ended at a turning point, the next faster time
+    /// passes such points until something pushes the ship or the pace is halved.
     pub fn change_pace(&mut self, steps: i32) {
         if let Some(aboard) = &mut self.aboard {
             let steps = if aboard.is_far { steps.min(0) } else { steps };
+            match steps {
+                1.. => aboard.passes_apsides |= std::mem::take(&mut aboard.stopped_at_apsis),
+                _ => aboard.end_passing(),
+            }
             let fastest = aboard.engine().fastest();
             let pace = aboard.pace.min(fastest) * PACE_STEP.powi(steps);
             aboard.pace = pace.clamp(SLOWEST, fastest);
@@ -265,6 +312,7 @@ impl ShipFlight {
         let hold = hold_here(kind, ship);
         hold.acceleration(ship, 0.0)?;
         aboard.hold = Some(hold);
+        aboard.note_push();
         aboard.pace = aboard.pace.min(Engine::Hold.fastest());
         Ok(true)
     }

@@ -100,12 +100,28 @@ pub(super) fn looking(look: Look, bindings: &Bindings) -> String {
     }
 }
 
-/// What a key of a hold says after it has begun, or ended.
-pub(super) fn holding(hold: Option<Hold>, kind: HoldKind, units: Units) -> String {
+/// What a key of a hold says where the engine cannot push.
+pub(super) fn no_thrust(ship: &ShipFlight) -> &'static str {
+    match ship.is_empty() {
+        true => "The tank is empty: nothing can hold the ship",
+        false => "The ship has no engine: nothing can hold it",
+    }
+}
+
+/// What a key of a hold says after it has begun, with the fuel that it takes, or ended.
+pub(super) fn holding(ship: &ShipFlight, kind: HoldKind, units: Units) -> String {
     let at = |r: f64| units.length(r, four_digits);
-    match hold {
-        Some(Hold::Orbit(r)) => format!("Holds the orbit at {}", at(r)),
-        Some(Hold::Hover(r)) => format!("Holds still at {}", at(r)),
+    let takes = ship.hold_takes().map_or_else(String::new, |[takes, left]| {
+        let lacks = if takes > left { ": too much" } else { "" };
+        let [takes, left] = [takes, left].map(|rapidity| format!("{rapidity:.4}"));
+        format!(" (takes the rapidity {takes} of {left}{lacks})")
+    });
+    match ship.hold() {
+        Some(Hold::Orbit(r)) => format!("Holds the orbit at {}{takes}", at(r)),
+        Some(Hold::Hover(r)) => format!(
+            "Holds still at {}{takes}, and more as long as it lasts",
+            at(r)
+        ),
         Some(Hold::Zamo(r)) => format!(
             "Holds the radius {}: nothing stands still in the ergosphere",
             at(r)
@@ -151,14 +167,18 @@ pub(crate) fn multiple(pace: f64) -> String {
 }
 
 /// What has happened in a frame.
-pub(super) fn news(news: News) -> String {
+pub(super) fn news(news: News, bindings: &Bindings) -> String {
+    let passes = format!(
+        "{} passes the next ones",
+        bindings.first_label("motion.faster")
+    );
     match news {
         News::Refused(refusal) => format!("The engine is off: {refusal}"),
         News::Far => FAR.into(),
         News::LittleFuel => "Less than a fifth of the tank is left".into(),
         News::Empty => "The tank is empty".into(),
-        News::Slowed(Stop::Low) => "The lowest point: time runs as usual".into(),
-        News::Slowed(Stop::High) => "The highest point: time runs as usual".into(),
+        News::Slowed(Stop::Low) => format!("The lowest point: time runs as usual ({passes})"),
+        News::Slowed(Stop::High) => format!("The highest point: time runs as usual ({passes})"),
         News::Slowed(Stop::Goal) => "The goal's radius: time runs as usual".into(),
         News::Slowed(Stop::Horizon) => "Near the horizon: time runs as usual".into(),
     }

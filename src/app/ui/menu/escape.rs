@@ -13,10 +13,10 @@ pub(super) fn apply_escape(
     mut commands: MessageReader<AppCommand>,
     mut pilot: ResMut<Pilot>,
     mut overlays: ResMut<Overlays>,
-    end_card: Res<EndCard>,
+    mut end_card: ResMut<EndCard>,
     mut menu: ResMut<Menu>,
 ) {
-    // Any key has closed the card before this system runs.
+    // Any key has closed some cards before this system runs.
     let closed_card = end_card.is_changed() && !end_card.is_open() && !end_card.is_added();
     let presses = commands.read().filter(|it| **it == AppCommand::Escape);
     if presses.count() == 0 || closed_card || menu.is_open() {
@@ -28,6 +28,8 @@ pub(super) fn apply_escape(
         overlays.hidden = false;
     } else if overlays.help {
         overlays.help = false;
+    } else if end_card.is_open() {
+        end_card.close();
     } else if !overlays.close_side() {
         menu.open();
     }

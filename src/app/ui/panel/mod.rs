@@ -84,6 +84,7 @@ fn open_settings(
     if commands.read().any(|it| *it == AppCommand::Settings) {
         overlays.open_panel();
         panel.page = Page::Settings;
+        overlays.at_settings = true;
     }
 }
 
@@ -123,7 +124,11 @@ fn show_panel(
             }
         });
         ui.separator();
-        if panel.page != Page::Settings {
+        let at_settings = panel.page == Page::Settings;
+        if overlays.at_settings != at_settings {
+            overlays.at_settings = at_settings;
+        }
+        if !at_settings {
             rebinding.0 = None;
         }
         egui::ScrollArea::both()
