@@ -61,7 +61,8 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::help_rows;
 pub use ui::hud::{
-    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width, physics_off,
+    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width, outside_horizon,
+    physics_off,
     read_outs, wanted,
 };
 pub use ui::inspector::plane_handout;

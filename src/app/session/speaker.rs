@@ -2,7 +2,7 @@
 //! something to hear. A thread opens it, because that can take long, and the device's own thread
 //! asks for samples: neither ever waits for a frame.
 
-use crate::app::state::sound::CockpitSound;
+use crate::app::state::sound::{CockpitSound, SoundFault};
 use bevy::prelude::*;
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{
@@ -11,9 +11,9 @@ use cpal::{
 };
 use lightfall_core::optics::sound::{Cockpit, Readings};
 use std::fmt::Display;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, OnceLock};
 use std::thread;
 
 /// The device is closed after so many seconds of silence: long after the sound has faded.
@@ -26,6 +26,7 @@ const SEED: u64 = 1;
 
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<CockpitSound>()
+        .init_resource::<SoundFault>()
         .init_resource::<Speaker>()
         .add_systems(PostUpdate, play);
 }
@@ -35,8 +36,8 @@ pub(crate) fn plugin(app: &mut App) {
 #[derive(Default)]
 struct Shared {
     readings: [AtomicU64; 4],
-    /// Whether it was said that there is no sound. Once is enough.
-    was_said: AtomicBool,
+    /// Why there is no sound. It is said once.
+    fault: OnceLock<String>,
 }
 
 impl Shared {
@@ -63,8 +64,9 @@ impl Shared {
     }
 
     fn say(&self, fault: &impl Display) {
-        if !self.was_said.swap(true, Ordering::Relaxed) {
-            warn!("no sound: {fault}; everything else goes on");
+        let sentence = format!("no sound: {fault}; everything else goes on");
+        if self.fault.set(sentence.clone()).is_ok() {
+            warn!("{sentence}");
         }
     }
 }
@@ -80,8 +82,19 @@ struct Speaker {
 }
 
 /// Hands the readings on, and opens and closes the device.
-fn play(time: Res<Time<Real>>, sound: Res<CockpitSound>, mut speaker: ResMut<Speaker>) {
+fn play(
+    time: Res<Time<Real>>,
+    sound: Res<CockpitSound>,
+    mut speaker: ResMut<Speaker>,
+    mut said: ResMut<SoundFault>,
+) {
     speaker.shared.write(sound.readings);
+    if said.0.is_none() {
+        // The settings show it beside the volume.
+        if let Some(fault) = speaker.shared.fault.get() {
+            said.0 = Some(fault.clone());
+        }
+    }
     if sound.readings.volume > 0.0 && sound.may_play {
         speaker.silence = 0.0;
         if speaker.open.is_none() {

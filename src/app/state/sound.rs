@@ -12,6 +12,10 @@ pub const NO_SOUND: Option<&str> = if cfg!(feature = "sound") {
     )
 };
 
+/// Why the sound cannot be heard, in the words of the log, once a device was asked for.
+#[derive(Resource, Clone, Debug, Default, PartialEq)]
+pub struct SoundFault(pub Option<String>);
+
 /// The readings that the sound follows in this frame.
 #[derive(Resource, Clone, Copy, Debug, PartialEq)]
 pub struct CockpitSound {

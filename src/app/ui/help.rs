@@ -1,6 +1,6 @@
 //! The help: a list of every control, made from the table of controls.
 
-use super::ship_help::{AT_HELM, ship_pad_rows, ship_rows};
+use super::ship_help::{AT_HELM, is_ship_control, ship_pad_rows, ship_rows};
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 use crate::app::controls::control::Group::{self, Flight, Light, Picture, Scene, View, Window};
 use crate::app::controls::control::{Control, Modifier};
@@ -14,6 +14,9 @@ use std::iter;
 
 /// What the mouse does. The control table holds keys only.
 const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"]];
+
+/// What the mouse does at the ship's controls, apart from the wheel, which is among the ship's rows.
+const MOUSE_AT_HELM: [[&str; 2]; 1] = [["right mouse", "turn the ship"]];
 
 /// What a gamepad's sticks do. Its buttons are bound to controls.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
@@ -68,6 +71,18 @@ pub fn help_rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     let mut rows = rows(bindings, |control, _| control.group == group);
     if group == Flight {
         rows.extend(rows_of(MOUSE));
+    }
+    rows
+}
+
+/// The same at the ship's controls, without what its own rows say.
+#[must_use]
+pub fn help_rows_at_helm(bindings: &Bindings, group: Group, on_mission: bool) -> Vec<[String; 2]> {
+    let mut rows = rows(bindings, |control, _| {
+        control.group == group && !is_ship_control(control.id, on_mission)
+    });
+    if group == Flight {
+        rows.extend(rows_of(MOUSE_AT_HELM));
     }
     rows
 }
@@ -141,7 +156,7 @@ fn show_help(
         .into_iter()
         .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
         .unwrap_or(sets[3]);
-    let on_mission = *helm == Helm::Mission;
+    let on_mission = matches!(*helm, Helm::Mission | Helm::MissionOver);
     egui::Window::new(HELP)
         .open(&mut overlays.help)
         .order(egui::Order::Foreground)
@@ -163,7 +178,11 @@ fn show_help(
                                     table(ui, AT_HELM, ship_rows(&bindings, on_mission));
                                 }
                                 groups.iter().for_each(|group| {
-                                    table(ui, group.title(), help_rows(&bindings, *group))
+                                    let rows = match helm.has_ship() {
+                                        true => help_rows_at_helm(&bindings, *group, on_mission),
+                                        false => help_rows(&bindings, *group),
+                                    };
+                                    table(ui, group.title(), rows);
                                 });
                                 if pads.any() && place + 1 == columns.len() {
                                     let rows = match helm.has_ship() {

@@ -52,12 +52,21 @@ const ON_MISSION: [Row; 2] = [
     (&["journey.again"], "the mission from its start"),
 ];
 
+/// Whether the ship's own rows say what this control does at its controls.
+pub(super) fn is_ship_control(id: &str, on_mission: bool) -> bool {
+    rows(on_mission).any(|(ids, _)| ids.contains(&id))
+}
+
+fn rows(on_mission: bool) -> impl Iterator<Item = Row> {
+    let others = on_mission.then_some(ON_MISSION).into_iter().flatten();
+    FLYING.into_iter().chain(others)
+}
+
 /// The ship's keys, and what they do at its controls.
 #[must_use]
 pub fn ship_rows(bindings: &Bindings, on_mission: bool) -> Vec<[String; 2]> {
-    let others = on_mission.then_some(ON_MISSION).into_iter().flatten();
-    let rows = FLYING.into_iter().chain(others);
-    rows.map(|(ids, does)| [keys(bindings, ids), does.to_owned()])
+    rows(on_mission)
+        .map(|(ids, does)| [keys(bindings, ids), does.to_owned()])
         .filter(|[keys, _]| !keys.is_empty())
         .collect()
 }

@@ -9,6 +9,7 @@ use crate::app::input::held::HeldControls;
 use crate::app::input::typing::Typing;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::ship::ShipFlight;
 use crate::app::state::helm::Helm;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::Slide;
@@ -86,14 +87,15 @@ const NEWCOMERS_KEYS: &[Hint] = &[
         &["fly.forward", "fly.left", "fly.backward", "fly.right"],
         "",
         "fly",
-        5,
+        6,
     ),
     (&[MOUSE], "", "drag to look", 0),
     (&["preset.1", "preset.9"], "–", "places", 1),
     (&["motion.let_go"], "", "fall", 2),
     (&["journey.fly"], "", "journey", 3),
+    (&["ship.fly"], "", "ship", 4),
     (&["picture.bypass"], "", "pixel look", 6),
-    (&["fly.escape"], "", "menu", 4),
+    (&["fly.escape"], "", "menu", 5),
     ALL_KEYS,
 ];
 
@@ -146,6 +148,14 @@ const SHIP_KEYS: &[Hint] = &[
     ALL_KEYS,
 ];
 
+/// The keys that matter aboard a ship without an engine.
+const DRIFT_KEYS: &[Hint] = &[
+    (&["scene.spin"], "", "look", 4),
+    (&["motion.slower", "motion.faster"], " · ", "time", 6),
+    (&["ship.fly"], "", "leave", 1),
+    ALL_KEYS,
+];
+
 /// The key of the help.
 const ALL_KEYS: Hint = (&["window.help"], "", "all keys", 7);
 
@@ -157,7 +167,8 @@ pub(super) fn show_key_hints(
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
     presence: Res<Presence>,
-    (player, free_fall, helm): (Res<JourneyPlayer>, Res<FreeFall>, Res<Helm>),
+    (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
+    (helm, ship): (Res<Helm>, Res<ShipFlight>),
 ) {
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
@@ -174,7 +185,10 @@ pub(super) fn show_key_hints(
     } else if free_fall.is_moving() {
         FALL_KEYS.to_vec()
     } else if helm.has_ship() {
-        SHIP_KEYS.to_vec()
+        match ship.has_engine() {
+            true => SHIP_KEYS.to_vec(),
+            false => DRIFT_KEYS.to_vec(),
+        }
     } else if named {
         NEWCOMERS_KEYS.to_vec()
     } else {

@@ -13,6 +13,7 @@ use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::numbers::{counted, four_digits};
+use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::IN_BROWSER;
 
@@ -90,21 +91,22 @@ impl MenuActions<'_> {
         }
     }
 
-    /// A mission's title, and the best that was reached in it: its lamps, all dark before the first success.
+    /// A mission's title, and the best that was reached in it: the lamps of its end card, all dark before the
+    /// first success.
     fn mission_words(&self, index: usize) -> [String; 2] {
         let Some(mission) = self.missions.list.get(index) else {
             return Default::default();
         };
         let best = self.missions.results.best(&mission.name);
         let reached = best.map_or_else(
-            || "○○○".into(),
+            || "not reached, lamps ○○○".into(),
             |best| {
                 let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
                 let par = best.par.map_or_else(String::new, |(quantity, value)| {
                     let name = quantity.word().replace('_', " ");
                     format!("{name} {}  ", four_digits(value))
                 });
-                par + &lamps
+                format!("{par}lamps {lamps}")
             },
         );
         [mission.title.clone(), reached]
@@ -220,4 +222,9 @@ fn show_missions(menu: &mut Menu, missions: &mut Missions, say: impl FnOnce(Stri
         say(faults.join("\n"));
     }
     menu.show_missions(missions.list.len());
+    // Where one goes on. With all of them reached it is the first.
+    let is_open = |mission: &Mission| missions.results.best(&mission.name).is_none();
+    if let Some(index) = missions.list.iter().position(is_open) {
+        menu.select(MenuEntry::Mission(index));
+    }
 }

@@ -29,6 +29,7 @@ use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
+use crate::app::state::sound::SoundFault;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_render::PictureArea;
@@ -70,6 +71,7 @@ struct Panel {
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Panel>()
         .init_resource::<Rebinding>()
+        .init_resource::<SoundFault>()
         .add_plugins((machine_page::plugin, step_count::plugin))
         .add_systems(Update, (presets_page::open_dropped_files, open_settings))
         .add_systems(EguiPrimaryContextPass, show_panel);
@@ -100,7 +102,7 @@ fn show_panel(
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
     machine: Machine,
-    (free_fall, ship): (Res<FreeFall>, Res<ShipFlight>),
+    (free_fall, ship, sound): (Res<FreeFall>, Res<ShipFlight>, Res<SoundFault>),
     mut paused: ResMut<Paused>,
     mut over_panel: ResMut<MouseOverPanel>,
     steps: Res<StepCounter>,
@@ -159,6 +161,7 @@ fn show_panel(
                     &mut rebinding,
                     &keys,
                     &pads,
+                    sound.0.as_deref(),
                 ),
             });
     });

@@ -30,8 +30,9 @@ pub(super) fn show(
     rebinding: &mut Rebinding,
     keys: &ButtonInput<KeyCode>,
     pads: &Query<&Gamepad>,
+    no_sound: Option<&str>,
 ) {
-    comfort(ui, settings);
+    comfort(ui, settings, no_sound);
     ui.separator();
     ui.horizontal(|ui| {
         ui.strong("Keys");
@@ -109,7 +110,7 @@ fn frame_rate(ui: &mut egui::Ui, setting: &mut f64, highest: f64) {
     ui.add(slider.integer().suffix(" /s"));
 }
 
-fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
+fn comfort(ui: &mut egui::Ui, settings: &mut Settings, no_sound: Option<&str>) {
     ui.strong("Comfort");
     egui::Grid::new("comfort")
         .num_columns(2)
@@ -122,9 +123,9 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 .on_hover_text("Journeys do not roll, and the exposure stays as it is during a flight");
             switch(ui, &mut settings.reduced_motion);
             ui.end_row();
-            ui.label("Simple words").on_hover_text(
-                "Kilometres and minutes for the mass on the page Read-outs, in place of r_s and r_s/c, and no rows \
-                 for specialists",
+            ui.label("Kilometres and minutes").on_hover_text(
+                "For a mission's own mass, or the one on the page Read-outs, in place of r_s and r_s/c, and no rows for \
+                 specialists",
             );
             switch(ui, &mut settings.simple_words);
             ui.end_row();
@@ -180,6 +181,9 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 ui.end_row();
             }
         });
+    if let Some(fault) = no_sound {
+        ui.weak(fault);
+    }
     ui.weak(
         NO_SOUND.unwrap_or(
             "No sound crosses vacuum: what you hear aboard the ship are its instruments.",

@@ -45,7 +45,7 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let Some((context, layout)) = screen.texts() else {
         return;
     };
-    let units = preferences.settings.units();
+    let units = ship.units(&preferences.settings);
     let mass = ship.mass().unwrap_or_else(|| preferences.settings.mass());
     let clocks = Clocks::new(&voyage.flight.ship);
     let ratio = clocks.far_rate.map(|rate| format!("× {rate:.4}"));

@@ -1,14 +1,15 @@
 //! The map: the path ahead and, beside the card at the end of a mission, the path that was flown.
 
-use super::map_view::{Chart, draw_map, map_height};
+use super::map_view::{Chart, draw_map, key_lines, map_height, outside_horizon};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::overlays::{Overlays, PathShown};
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::{GAP, Layout, Slide, Wish};
 use crate::app::ui::screen::{BOX, Screen};
 use bevy::prelude::*;
-use bevy_egui::egui::{Align2, LayerId, Order, Rect, vec2};
+use bevy_egui::egui::{self, Align2, LayerId, Order, Rect, vec2};
 use glam::DVec3;
+use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::optics::ship::{Attempt, path_ahead};
 use std::time::Duration;
@@ -22,6 +23,36 @@ const PADDING: f32 = 8.0;
 const PATH_AGE: Duration = Duration::from_millis(100);
 /// Number of points of the path: two turns.
 const PATH_POINTS: usize = 256;
+
+/// The least free part of the window in which the map has its place before captions and messages, in points:
+/// there it keeps its size and its place whatever they say. Elsewhere they have the room that there is.
+const ROOMY: egui::Vec2 = vec2(740.0, 540.0);
+
+/// Takes the map's place before captions and messages get theirs.
+pub(in crate::app::ui::hud) fn reserve_map(
+    mut screen: Screen,
+    ship: Res<ShipFlight>,
+    overlays: Res<Overlays>,
+) {
+    let Some(voyage) = ship.voyage() else {
+        return;
+    };
+    let Some((context, layout)) = screen.texts() else {
+        return;
+    };
+    let room = layout.bounds().size();
+    let is_roomy = room.x >= ROOMY.x && room.y >= ROOMY.y;
+    let has_card = layout.place_of("end card").is_some();
+    if is_roomy && !has_card && overlays.path == PathShown::MapAndLine {
+        let wish = layout.at(Align2::RIGHT_TOP, Slide::Upright);
+        let painter = map_painter(context);
+        place((&painter, layout), &WIDTHS, wish, voyage.flight.ship.kerr());
+    }
+}
+
+fn map_painter(context: &egui::Context) -> egui::Painter {
+    context.layer_painter(LayerId::new(Order::Background, "map".into()))
+}
 
 pub(in crate::app::ui::hud) fn show_map(
     mut screen: Screen,
@@ -38,12 +69,14 @@ pub(in crate::app::ui::hud) fn show_map(
         return;
     };
     let at_end = ship.attempt().and_then(|attempt| end_of(attempt, layout));
+    let painter = map_painter(context);
+    let kerr = voyage.flight.ship.kerr();
     let placed = match &at_end {
-        Some((_, card)) => place(layout, &WIDTHS_AT_END, beside(*card)),
-        None if overlays.path == PathShown::MapAndLine => {
+        Some((_, card)) => place((&painter, layout), &WIDTHS_AT_END, beside(*card), kerr),
+        None if overlays.path == PathShown::MapAndLine => layout.place_of("map").or_else(|| {
             let wish = layout.at(Align2::RIGHT_TOP, Slide::Upright);
-            place(layout, &WIDTHS, wish)
-        }
+            place((&painter, layout), &WIDTHS, wish, kerr)
+        }),
         None => None,
     };
     let Some(place) = placed else {
@@ -53,7 +86,8 @@ pub(in crate::app::ui::hud) fn show_map(
     let is_old = |(since, _): &(Duration, Vec<DVec3>)| now.saturating_sub(*since) > PATH_AGE;
     if at_end.is_none() && known.as_ref().is_none_or(is_old) {
         let path = path_ahead(&voyage.flight.ship, PATH_POINTS).into_iter();
-        *known = Some((now, path.map(|point| point.place).collect()));
+        let path: Vec<DVec3> = path.map(|point| point.place).collect();
+        *known = Some((now, outside_horizon(kerr.horizon(), &path)));
     }
     let flown: Vec<DVec3> = match (&at_end, ship.track()) {
         (Some(_), Some(track)) => track.places().collect(),
@@ -72,15 +106,11 @@ pub(in crate::app::ui::hud) fn show_map(
         flown: &flown,
         goals: &ship.goal_radii(),
     };
-    let layer = LayerId::new(Order::Background, "map".into());
-    let painter = context.layer_painter(layer);
     painter.rect_filled(place, 5.0, BOX);
-    draw_map(
-        &painter,
-        place.shrink(PADDING),
-        &chart,
-        preferences.settings.units(),
-    );
+    let inside = place.shrink(PADDING);
+    let key = key_lines(&painter, kerr, inside.width());
+    let units = ship.units(&preferences.settings);
+    draw_map(&painter, inside, (&chart, &key), units);
 }
 
 /// The ship at the end of a mission, and the card that tells it, while it is shown.
@@ -100,9 +130,15 @@ fn beside(card: Rect) -> Wish {
 }
 
 /// The place of the largest map for which there is room.
-fn place(layout: &mut Layout, widths: &[f32], wish: Wish) -> Option<Rect> {
+fn place(
+    (painter, layout): (&egui::Painter, &mut Layout),
+    widths: &[f32],
+    wish: Wish,
+    kerr: Kerr,
+) -> Option<Rect> {
     widths.iter().find_map(|width| {
-        let size = vec2(*width, map_height(*width)) + 2.0 * vec2(PADDING, PADDING);
+        let lines = key_lines(painter, kerr, *width).len();
+        let size = vec2(*width, map_height(*width, lines)) + 2.0 * vec2(PADDING, PADDING);
         layout.place("map", size, wish)
     })
 }

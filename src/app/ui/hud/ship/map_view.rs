@@ -2,18 +2,25 @@
 
 use crate::app::ui::hud::board::{BRIGHT, QUIET};
 use crate::app::ui::theme::ACCENT;
-use bevy_egui::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use bevy_egui::egui::{
+    Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2,
+};
 use glam::{DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::numbers::three_digits;
 use lightfall_core::optics::readout::units::Units;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Height of the view from the side, as a share of the width.
 const SIDE: f32 = 0.55;
 /// Height of a line of words, and their size, in points.
 const LINE: f32 = 16.0;
 const WORDS: f32 = 12.0;
+/// Height of a line of the key, size of its words and room between them, in points.
+const KEY_LINE: f32 = 14.0;
+const KEY_WORDS: f32 = 10.5;
+const KEY_GAP: f32 = 6.0;
 /// Room between the views, in points.
 const BETWEEN: f32 = 8.0;
 /// How much larger the map is than the path.
@@ -25,6 +32,8 @@ const MIN_HOLE: f32 = 4.0;
 /// Two points of a path that was flown are joined if they are no farther apart than this share of the
 /// radius: a longer line would lead through the hole.
 const MAX_CHORD: f64 = 0.7;
+/// A point of a path below so many radii of the horizon is where it leads in.
+const ABOVE_HORIZON: f64 = 1.000_001;
 /// Number of sides of a circle.
 const SIDES: usize = 72;
 
@@ -47,9 +56,24 @@ pub(super) struct Chart<'a> {
     pub(super) goals: &'a [f64],
 }
 
-/// Height of a map of this width, in points.
-pub(super) fn map_height(width: f32) -> f32 {
-    width * (1.0 + SIDE) + 3.0 * LINE + BETWEEN
+/// Height of a map of this width with so many lines of its key, in points.
+pub(super) fn map_height(width: f32, key_lines: usize) -> f32 {
+    width * (1.0 + SIDE) + 2.0 * LINE + BETWEEN + KEY_LINE * key_lines as f32 + 2.0
+}
+
+/// The part of a path outside the horizon. One that leads inside ends on its circle: inside, the azimuth
+/// winds faster than the points follow each other.
+#[must_use]
+pub fn outside_horizon(horizon: f64, path: &[DVec3]) -> Vec<DVec3> {
+    let is_outside = |place: &&DVec3| place.length() > horizon;
+    let mut outside: Vec<DVec3> = path.iter().take_while(is_outside).copied().collect();
+    if let (Some(last), Some(inside)) = (outside.last().copied(), path.get(outside.len())) {
+        let [high, low] = [last, *inside].map(DVec3::length);
+        let way = (high - horizon) / (high - low);
+        let crossing = last.lerp(*inside, way);
+        outside.push(horizon * crossing.normalize_or(last / high));
+    }
+    outside
 }
 
 /// Half the width of both views of a map, in r_s: the places and the whole horizon lie in them.
@@ -90,10 +114,12 @@ impl View<'_> {
         self.line(circle(|_| radius, [DVec3::X, DVec3::Y]), colour, 1.2);
     }
 
-    /// A path that was flown. Points that are far apart are dots.
-    fn trail(&self, places: &[DVec3]) {
-        let is_joined =
-            |a: &DVec3, b: &DVec3| (*a - *b).length() <= MAX_CHORD * a.length().min(b.length());
+    /// A path that was flown. Points that are far apart, and those inside the horizon, are dots.
+    fn trail(&self, places: &[DVec3], horizon: f64) {
+        let is_joined = |a: &DVec3, b: &DVec3| {
+            let lower = a.length().min(b.length());
+            lower > horizon && (*a - *b).length() <= MAX_CHORD * lower
+        };
         for run in places.chunk_by(is_joined) {
             match run {
                 [place] => {
@@ -114,8 +140,13 @@ fn circle(radius: impl Fn(f64) -> f64, [right, up]: [DVec3; 2]) -> impl Iterator
     })
 }
 
-/// Draws a map of a height of [`map_height`].
-pub(super) fn draw_map(painter: &Painter, inside: Rect, chart: &Chart, units: Units) {
+/// Draws a map of a height of [`map_height`], with the lines of its key.
+pub(super) fn draw_map(
+    painter: &Painter,
+    inside: Rect,
+    (chart, key): (&Chart, &[KeyLine]),
+    units: Units,
+) {
     let places = || chart.ahead.iter().chain(chart.flown);
     let half_width = map_half_width(chart.kerr.horizon(), places());
     let width = inside.width();
@@ -129,12 +160,21 @@ pub(super) fn draw_map(painter: &Painter, inside: Rect, chart: &Chart, units: Un
         above.left_bottom() + vec2(0.0, LINE + BETWEEN),
         vec2(width, SIDE * width),
     );
-    words(inside.min, Align2::LEFT_TOP, "from above", QUIET);
     let farthest = places()
         .map(|place| place.length())
         .fold(chart.ship.length(), f64::max);
     let reach = units.length(farthest, three_digits);
+    let font = || FontId::proportional(WORDS);
+    let width_of = |text: &str| {
+        let text = painter.layout_no_wrap(text.to_owned(), font(), QUIET);
+        text.size().x
+    };
     words(inside.right_top(), Align2::RIGHT_TOP, &reach, BRIGHT);
+    let room = width - width_of(&reach) - KEY_GAP;
+    let above_words = ["from above", "above"];
+    if let Some(name) = above_words.into_iter().find(|name| width_of(name) <= room) {
+        words(inside.min, Align2::LEFT_TOP, name, QUIET);
+    }
     words(
         side.min - vec2(0.0, LINE),
         Align2::LEFT_TOP,
@@ -162,11 +202,11 @@ pub(super) fn draw_map(painter: &Painter, inside: Rect, chart: &Chart, units: Un
                 view.ring(*goal, GOAL);
             }
         }
-        view.trail(chart.flown);
+        view.trail(chart.flown, chart.kerr.horizon());
         view.line(chart.ahead.iter().copied(), ACCENT, 1.6);
         draw_ship(&view, chart);
     }
-    draw_key(painter, side.left_bottom() + vec2(0.0, 2.0), chart);
+    draw_key(painter, side.left_bottom() + vec2(0.0, 2.0), key);
 }
 
 /// The hole and the radii around it.
@@ -190,7 +230,9 @@ fn draw_hole(view: &View, kerr: Kerr) {
 fn draw_ship(view: &View, chart: &Chart) {
     let path = chart.ahead.iter().chain(chart.flown);
     let lowest = path.min_by(|a, b| a.length().total_cmp(&b.length()));
-    if let Some(lowest) = lowest {
+    // A path that ends in the hole has none.
+    let is_outside = |place: &&DVec3| place.length() > ABOVE_HORIZON * chart.kerr.horizon();
+    if let Some(lowest) = lowest.filter(is_outside) {
         view.painter
             .circle_stroke(view.at(*lowest), 3.0, Stroke::new(1.4, ACCENT));
     }
@@ -205,23 +247,41 @@ fn draw_ship(view: &View, chart: &Chart) {
     view.painter.circle_filled(now, 3.5, BRIGHT);
 }
 
-/// What the colours mean.
-fn draw_key(painter: &Painter, at: Pos2, chart: &Chart) {
-    let mut words = vec![
-        ("horizon", HORIZON),
-        ("light's", PHOTON),
-        ("stable orbits", ISCO),
-    ];
-    if chart.kerr.spin != 0.0 {
-        words.insert(1, ("ergosphere", ERGOSPHERE));
-    }
-    if !chart.goals.is_empty() {
-        words.push(("goal", GOAL));
-    }
-    let mut left = at.x;
+/// A line of the key: its words, each with its distance from the left, and their colours.
+pub(super) type KeyLine = Vec<(f32, Arc<Galley>, Color32)>;
+
+/// What the colours mean, in lines of at most this width. The goal's has its place also where the next goal
+/// has no radius, so that the map keeps its size.
+pub(super) fn key_lines(painter: &Painter, kerr: Kerr, width: f32) -> Vec<KeyLine> {
+    let ergosphere = (kerr.spin != 0.0).then_some(("ergosphere", ERGOSPHERE));
+    let words = [("horizon", HORIZON)].into_iter().chain(ergosphere).chain([
+        ("light orbits", PHOTON),
+        ("stable", ISCO),
+        ("goal", GOAL),
+    ]);
+    let mut lines = vec![KeyLine::new()];
+    let mut left = 0.0;
     for (word, colour) in words {
-        let font = FontId::proportional(0.88 * WORDS);
-        let drawn = painter.text(pos2(left, at.y), Align2::LEFT_TOP, word, font, colour);
-        left = drawn.right() + 6.0;
+        let font = FontId::proportional(KEY_WORDS);
+        let drawn = painter.layout_no_wrap(word.to_owned(), font, colour);
+        let word_width = drawn.size().x;
+        if left > 0.0 && left + word_width > width {
+            lines.push(KeyLine::new());
+            left = 0.0;
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push((left, drawn, colour));
+        }
+        left += word_width + KEY_GAP;
+    }
+    lines
+}
+
+fn draw_key(painter: &Painter, at: Pos2, lines: &[KeyLine]) {
+    for (number, line) in lines.iter().enumerate() {
+        let top = at.y + KEY_LINE * number as f32;
+        for (left, word, colour) in line {
+            painter.galley(pos2(at.x + left, top), word.clone(), *colour);
+        }
     }
 }

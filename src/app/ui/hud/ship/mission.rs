@@ -19,6 +19,9 @@ const CAPTION: f32 = 18.0;
 /// Largest width of captions and of goals, in points.
 const MAX_CAPTION: f32 = 460.0;
 const MAX_GOALS: f32 = 430.0;
+/// What a pilot without fuel is told, with the names of controls in braces.
+const NO_FUEL: &str =
+    "The tank is empty: nothing pushes you any more. {journey.again} flies the mission again.";
 /// Colour of a quantity that is what the goal wants.
 const MET: Color32 = Color32::from_rgb(130, 220, 160);
 
@@ -35,7 +38,7 @@ pub(in crate::app::ui::hud) fn show_mission(
     let Some((context, layout)) = screen.texts() else {
         return;
     };
-    let units = preferences.settings.units();
+    let units = ship.units(&preferences.settings);
     let rows = wanted(attempt, units);
     // Without their values the goals take less room.
     for rows in [&rows[..], &[]] {
@@ -45,8 +48,13 @@ pub(in crate::app::ui::hud) fn show_mission(
     }
     let captions = &attempt.mission.captions;
     let caption = play.caption().and_then(|index| captions.get(index));
-    if let Some(caption) = caption.filter(|_| !end_card.is_open()) {
-        let words = bindings.with_keys(&caption.text);
+    let text = match ship.is_empty() && !attempt.is_over() {
+        // What a caption asks for takes fuel.
+        true => Some(NO_FUEL),
+        false => caption.map(|caption| caption.text.as_str()),
+    };
+    if let Some(text) = text.filter(|_| !end_card.is_open()) {
+        let words = bindings.with_keys(&units.in_text(text));
         let board = Board::new(context, "caption", 1.0);
         // The instruments and the message have the lower edge.
         let wish = layout.at(Align2::CENTER_TOP, Slide::Anywhere);
@@ -70,24 +78,24 @@ fn show_goals(
     for (index, goal) in mission.goals.iter().enumerate() {
         let is_next = index == reached && !attempt.is_over();
         let sign = if index < reached { "●" } else { "○" };
-        let held = match attempt.held_since().filter(|_| is_next && goal.hold > 0.0) {
-            Some(since) => {
-                let now = attempt.voyage().flight.ship.proper_time();
-                let [held, all] = [
-                    units.time(now - since, steady_digits),
-                    units.time(goal.hold, four_digits),
-                ];
-                format!(" · {held} of {all}")
-            }
-            None => String::new(),
-        };
         let colour = if is_next { BRIGHT } else { QUIET };
-        let words = format!("{sign} {}{held}", goal.text);
+        let words = format!("{sign} {}", units.in_text(&goal.text));
         board.add_line(board.text(&words, TEXT, colour, width), 3.0);
         for row in rows.iter().filter(|_| is_next) {
             let words = format!("     {}  {}  ({})", row.label, row.value, row.wanted);
             let colour = if row.is_met { MET } else { BRIGHT };
             board.add_line(board.text(&words, TEXT, colour, width), 2.0);
+        }
+        // Also before the time counts, so that the board keeps its height.
+        if is_next && goal.hold > 0.0 {
+            let now = attempt.voyage().flight.ship.proper_time();
+            let held = now - attempt.held_since().unwrap_or(now);
+            let [held, all] = [
+                units.time(held, steady_digits),
+                units.time(goal.hold, four_digits),
+            ];
+            let words = format!("     held so far  {held}  (≥ {all})");
+            board.add_line(board.text(&words, TEXT, BRIGHT, width), 2.0);
         }
     }
     let wish = layout.at(Align2::LEFT_TOP, Slide::Upright);

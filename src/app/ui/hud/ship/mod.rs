@@ -12,8 +12,8 @@ mod question;
 mod values;
 
 pub(super) use instruments::show_instruments;
-pub(super) use map::show_map;
-pub use map_view::map_half_width;
+pub(super) use map::{reserve_map, show_map};
+pub use map_view::{map_half_width, outside_horizon};
 pub(super) use markers::show_markers;
 pub(super) use mission::show_mission;
 pub use path_line::PathLine;

@@ -1,8 +1,9 @@
 //! The quantities that a mission compares, in words: their names, their values, and what is wanted.
 
+use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
-use lightfall_core::optics::ship::{Attempt, Outcome};
+use lightfall_core::optics::ship::{Apsides, Attempt, Outcome};
 use lightfall_core::scene::mission::{Comparison, Condition, Mission, Quantity};
 
 /// A quantity of the next goal or of what ends a mission.
@@ -52,6 +53,12 @@ pub fn wanted(attempt: &Attempt, units: Units) -> Vec<Wanted> {
         } else {
             "not together"
         };
+        // Far from a limit it is only in the way.
+        let voyage = attempt.voyage();
+        let is_near = |condition: &Condition| near(condition, voyage.quantity(condition.quantity));
+        if !fail.all.iter().all(is_near) {
+            continue;
+        }
         for condition in &fail.all {
             let words = format!("{not} {}", bound(condition, units));
             add(condition, words, fail.all.len() > 1 || !holds(condition));
@@ -66,11 +73,32 @@ pub fn wanted(attempt: &Attempt, units: Units) -> Vec<Wanted> {
     rows.into_iter().map(row).collect()
 }
 
+/// Whether a value meets a condition, or comes within a factor of 1.5 of what it compares with.
+fn near(condition: &Condition, value: Option<f64>) -> bool {
+    let limit = condition.value;
+    value.is_some_and(|value| match condition.comparison {
+        Comparison::Less | Comparison::AtMost => value <= limit + 0.5 * limit.abs(),
+        Comparison::More | Comparison::AtLeast => value >= limit - limit.abs() / 3.0,
+        Comparison::Equal => true,
+    })
+}
+
+/// Whether the path of a ship leads into the hole without a highest point before.
+pub(super) fn plunges(ship: &Ship) -> bool {
+    let apsides = Apsides::of(ship);
+    let falls = ship.constants().radial < 0.0;
+    falls && apsides.periapsis.is_none() && apsides.apoapsis.is_none()
+}
+
 /// The value of a quantity now.
 pub(super) fn present(attempt: &Attempt, quantity: Quantity, units: Units) -> String {
-    match attempt.voyage().quantity(quantity) {
+    let voyage = attempt.voyage();
+    match voyage.quantity(quantity) {
         None => "not known here".into(),
         Some(0.0) if quantity == Quantity::Periapsis => "in the hole".into(),
+        Some(value) if value.is_infinite() && plunges(&voyage.flight.ship) => {
+            "none: you fall in".into()
+        }
         Some(value) if value.is_infinite() => "none: you come away".into(),
         Some(value) => amount(quantity, value, units, steady_digits),
     }

@@ -1,6 +1,6 @@
 //! The values of the ship's instruments, in words.
 
-use super::quantities::{label, named, present, said_by};
+use super::quantities::{label, named, plunges, present, said_by};
 use crate::app::motion::ship::{LITTLE_FUEL, ShipFlight, heading_words, multiple};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, ratio, three_digits};
@@ -73,13 +73,6 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     let tide = three_digits(tide_of(ship) * mass.gees() / mass.metres());
     all.push(Instrument::minor("tide", format!("{tide} g per metre")));
     all.extend(signal(ship, units));
-    if !units.are_simple() {
-        let error = match ship.error().stated() {
-            0.0 => "none yet".into(),
-            error => format!("{error:.0e}"),
-        };
-        all.push(Instrument::minor("error of the flight", error));
-    }
     if let Some(attempt) = flown.attempt() {
         add_named(&mut all, attempt, units);
     }
@@ -129,8 +122,9 @@ const NAMED_BY: [(&str, &[&str]); 9] = [
     ("tide", &["tide"]),
 ];
 
-/// What a ship without a mission needs: where it is, its fuel, and its path.
-const NEEDED: [&str; 6] = [
+/// What a ship without a mission needs: the pace, where it is, its fuel, and its path.
+const NEEDED: [&str; 7] = [
+    "time",
     "radius, speed",
     "rapidity left",
     "thrust",
@@ -140,7 +134,7 @@ const NEEDED: [&str; 6] = [
 ];
 
 /// Notes which instruments the smallest window shows: those that the mission names in a condition or in a
-/// text, and the radius.
+/// text, the radius, and the pace.
 fn note_needed(all: &mut [Instrument], attempt: Option<&Attempt>) {
     let Some(attempt) = attempt else {
         for row in all {
@@ -150,7 +144,7 @@ fn note_needed(all: &mut [Instrument], attempt: Option<&Attempt>) {
     };
     let mission = &attempt.mission;
     let compared = named(mission).into_iter().filter_map(shown_by);
-    let mut labels: Vec<&str> = compared.chain(["radius, speed"]).collect();
+    let mut labels: Vec<&str> = compared.chain(["radius, speed", "time"]).collect();
     let texts: Vec<String> = said_by(mission).map(str::to_lowercase).collect();
     let said = NAMED_BY
         .into_iter()
@@ -241,16 +235,16 @@ fn path(ship: &Ship, units: Units) -> Vec<Instrument> {
         }
         (Some(radius), _) => length(radius, units),
     };
-    vec![
-        Instrument::new(
-            "lowest point",
-            point(apsides.periapsis, "in the hole", falls),
-        ),
-        Instrument::new(
-            "highest point",
-            point(apsides.apoapsis, "none: you come away", !falls),
-        ),
-    ]
+    let lowest = Instrument::new(
+        "lowest point",
+        point(apsides.periapsis, "in the hole", falls),
+    );
+    // A path that only leads into the hole has none.
+    let highest = (!plunges(ship)).then(|| {
+        let radius = point(apsides.apoapsis, "none: you come away", !falls);
+        Instrument::new("highest point", radius)
+    });
+    std::iter::once(lowest).chain(highest).collect()
 }
 
 /// A radius with three decimals, as missions compare them.
