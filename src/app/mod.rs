@@ -59,11 +59,10 @@ pub use state::sound::{CockpitSound, NO_SOUND};
 pub use state::toast::reading_time;
 pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
-pub use ui::help::help_rows;
+pub use ui::help::{help_rows, help_rows_at_helm};
 pub use ui::hud::{
-    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width, outside_horizon,
-    physics_off,
-    read_outs, wanted,
+    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width,
+    outside_horizon, physics_off, read_outs, wanted,
 };
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};

@@ -2,7 +2,8 @@
 
 use bevy::prelude::KeyCode;
 use lightfall::app::{
-    Action, Bindings, CONTROLS, Group, KeyLabels, Modifier, PRINTED, help_rows, ship_rows,
+    Action, Bindings, CONTROLS, Group, KeyLabels, Modifier, PRINTED, help_rows, help_rows_at_helm,
+    ship_rows,
 };
 use std::collections::BTreeMap;
 
@@ -201,6 +202,19 @@ fn at_the_ships_controls_the_help_lists_what_its_keys_do_there_and_on_a_mission_
         .map(|[keys, _]| keys.as_str())
         .collect();
     assert_eq!(more, ["Backspace", "Enter"]);
+    // The rest of the help does not name these keys again with what they do elsewhere.
+    let others: Vec<String> = Group::ALL
+        .into_iter()
+        .flat_map(|group| help_rows_at_helm(&bindings, group, true))
+        .flat_map(|[keys, _]| keys.split(' ').map(str::to_owned).collect::<Vec<_>>())
+        .collect();
+    for key in ["T", "O", "Y", "K", "W", "F", "Backspace", "Enter", "wheel"] {
+        assert!(
+            !others.iter().any(|other| other == key),
+            "{key}: {others:?}"
+        );
+    }
+    assert!(others.iter().any(|other| other == "F12,"), "{others:?}");
     // A control without a key has no row.
     let unbound = [("ship.map".to_owned(), Vec::new())].into();
     let bindings = Bindings::new(&unbound, &KeyLabels::default()).unwrap();

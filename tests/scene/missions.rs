@@ -3,7 +3,8 @@
 use glam::DVec3;
 use lightfall::app::{
     Bindings, FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted,
-    control_named, instruments, lamps, map_half_width, next_not_reached, solution_time, wanted,
+    control_named, instruments, lamps, map_half_width, next_not_reached, outside_horizon,
+    solution_time, wanted,
 };
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::readout::si::HoleMass;
@@ -141,6 +142,88 @@ fn a_player_goes_back_to_the_last_goal() {
     assert!((player.scene.camera.r - 5.0).abs() < 1e-6);
 }
 
+/// A straight plunge passes the first goal of this mission on the way into the hole.
+#[test]
+fn going_back_restores_the_pilot_and_a_second_time_without_thrust_leads_to_the_start() {
+    let plunge = || {
+        let mut player = Player::begin("graze");
+        player.until(1.0, |player| player.outcome() == Outcome::UnderWay(1));
+        player.ship.engine_off();
+        assert_eq!(player.ship.heading(), None);
+        player.until(0.0, |player| matches!(player.outcome(), Outcome::Failed(_)));
+        player
+    };
+    let used = |player: &Player| player.ship.voyage().unwrap().flight.rocket.used();
+    let mut player = plunge();
+    assert!(player.ship.go_back());
+    player.pass(0.0);
+    assert_eq!(player.outcome(), Outcome::UnderWay(1));
+    // The nose points where it did at the goal.
+    assert_eq!(player.ship.heading(), Some(Heading::Hole));
+    assert!(used(&player) > 0.0);
+    player.until(0.0, |player| matches!(player.outcome(), Outcome::Failed(_)));
+    assert!(!player.ship.go_back());
+    player.pass(0.0);
+    assert_eq!(player.outcome(), Outcome::UnderWay(0));
+    assert_eq!(used(&player), 0.0);
+    assert!((player.scene.camera.r - 20.0).abs() < 1e-3);
+    // With a push the path is another one.
+    let mut player = plunge();
+    assert!(player.ship.go_back());
+    player.until(1.0, |player| matches!(player.outcome(), Outcome::Failed(_)));
+    assert!(player.ship.go_back());
+}
+
+#[test]
+fn a_path_that_only_leads_into_the_hole_has_no_highest_point() {
+    let mut player = Player::begin("graze");
+    let labels = |player: &Player| -> Vec<&str> {
+        let mass = player.ship.mass().unwrap();
+        let all = instruments(&player.ship, mass, Units::Hole);
+        all.iter().map(|row| row.label).collect()
+    };
+    assert!(labels(&player).contains(&"highest point"));
+    player.until(1.0, |player| {
+        player.ship.voyage().unwrap().flight.ship.constants().energy > 1.1
+    });
+    let shown = labels(&player);
+    assert!(shown.contains(&"lowest point"), "{shown:?}");
+    assert!(!shown.contains(&"highest point"), "{shown:?}");
+}
+
+#[test]
+fn the_map_draws_a_path_to_the_horizon_and_not_inside() {
+    let outside = [DVec3::new(3.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0)];
+    assert_eq!(outside_horizon(1.0, &outside), outside);
+    let path = [
+        outside[1],
+        DVec3::new(0.0, 0.5, 0.0),
+        DVec3::new(0.7, 0.0, 0.0),
+    ];
+    let drawn = outside_horizon(1.0, &path);
+    assert!(drawn.len() == 2 && drawn[0] == outside[1], "{drawn:?}");
+    assert!((drawn[1] - DVec3::Y).length() < 1e-15, "{drawn:?}");
+    assert!(outside_horizon(1.0, &path[1..]).is_empty());
+}
+
+/// The radii of its goal are those of the lowest and the highest point.
+#[test]
+fn the_map_has_a_ring_for_each_radius_of_a_goal() {
+    assert_eq!(Player::begin("two-burns").ship.goal_radii(), [5.9, 6.1]);
+    assert_eq!(Player::begin("weight").ship.goal_radii(), [2.9, 3.1]);
+    assert!(Player::begin("gyroscope").ship.goal_radii().is_empty());
+}
+
+#[test]
+fn a_ship_without_an_engine_and_one_without_fuel_cannot_push() {
+    let player = Player::begin("gyroscope");
+    assert!(!player.ship.has_engine() && !player.ship.is_empty() && !player.ship.can_push());
+    let mut player = Player::begin("two-burns");
+    assert!(player.ship.can_push());
+    player.until(1.0, |player| player.ship.is_empty());
+    assert!(player.ship.has_engine() && !player.ship.can_push());
+}
+
 #[test]
 fn the_nose_of_a_mission_that_counts_turns_is_held_by_the_gyroscopes() {
     let mut player = Player::begin("gyroscope");
@@ -210,10 +293,15 @@ fn the_goals_show_each_quantity_with_what_is_wanted_of_it() {
     let radius = Wanted {
         label: "radius",
         value: "20.00 r_s".into(),
-        wanted: "≤ 1.6 r_s, ≥ 1.5 r_s, not < 1.02 r_s".into(),
+        wanted: "≤ 1.6 r_s, ≥ 1.5 r_s".into(),
         is_met: false,
     };
     assert_eq!(shown_goals(&player), [radius]);
+    // What ends the mission is said near it only.
+    let mut near = Player::begin("graze");
+    near.until(1.0, |player| player.scene.camera.r < 1.53);
+    let rows = shown_goals(&near);
+    assert!(rows[0].wanted.ends_with("not < 1.02 r_s"), "{rows:?}");
     let rows = shown_goals(&Player::begin("gyroscope"));
     let [turns, turned] = &rows[..] else {
         panic!("{rows:?}");
@@ -263,7 +351,7 @@ fn what_a_mission_names_is_shown_in_the_smallest_window() {
         .unwrap();
     let all = instruments(&free.ship, HoleMass::of_suns(1e9), Units::Hole);
     let count = all.iter().filter(|row| row.is_needed).count();
-    assert_eq!(count, 5, "{all:?}");
+    assert_eq!(count, 6, "{all:?}");
 }
 
 /// A name in braces stands for a key.
@@ -353,6 +441,60 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     // More lamps, then less rapidity; and a failure is no better than anything.
     assert!(rows[2].is_better_than(&rows[1]) && rows[3].is_better_than(&rows[2]));
     assert!(!rows[3].is_better_than(&rows[3]) && !rows[0].is_better_than(&rows[1]));
+}
+
+/// Going back to the last goal goes on with the same attempt: its row is the better end of it.
+#[test]
+fn an_attempt_that_is_gone_on_with_has_one_row_and_keeps_its_better_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("results.csv");
+    let mut results = MissionResults::load(Some(file.clone()));
+    let rows = || -> Vec<String> {
+        let text = std::fs::read_to_string(&file).unwrap();
+        text.lines().skip(1).map(str::to_owned).collect()
+    };
+    let missed = result("graze", false, 0, 0.5);
+    let (kept, written) = results.keep(None, missed.clone());
+    assert_eq!((kept, written), (missed.clone(), Ok(())));
+    let reached = result("graze", true, 2, 1.2);
+    let (kept, _) = results.keep(Some(missed), reached.clone());
+    assert_eq!(kept, reached);
+    assert_eq!(rows(), [reached.row()]);
+    // An answer may have been given since.
+    let answered = MissionResult {
+        answer: Some(42.0),
+        is_right: Some(false),
+        ..reached.clone()
+    };
+    results.correct_last(answered.clone()).unwrap();
+    let (kept, _) = results.keep(Some(reached.clone()), result("graze", true, 1, 1.0));
+    assert_eq!(kept, reached);
+    assert_eq!(rows(), [answered.row()]);
+    let better = result("graze", true, 3, 1.1);
+    let (kept, _) = results.keep(Some(reached), better.clone());
+    assert_eq!(kept, better);
+    assert_eq!(rows(), [better.row()]);
+    assert_eq!(results.best("graze"), Some(&better));
+}
+
+#[test]
+fn the_nearest_miss_is_the_failed_attempt_with_the_most_of_its_par() {
+    let mut results = MissionResults::default();
+    for row in [
+        result("longest", false, 0, 0.78),
+        result("longest", false, 0, 0.98),
+        result("longest", false, 0, 0.5),
+        result("longest", true, 1, 1.2),
+        result("graze", false, 0, 3.0),
+    ] {
+        results.add(row).unwrap();
+    }
+    let nearest = |quantity| {
+        let nearest = results.nearest_miss("longest", quantity);
+        nearest.and_then(|row| row.par).map(|(_, value)| value)
+    };
+    assert_eq!(nearest(Quantity::RapidityUsed), Some(0.98));
+    assert_eq!(nearest(Quantity::LifeInside), None);
 }
 
 #[test]

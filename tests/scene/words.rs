@@ -185,6 +185,39 @@ fn simple_words_give_kilometres_and_minutes_and_no_angles_of_the_hole() {
 }
 
 #[test]
+fn texts_of_missions_have_their_lengths_and_times_in_kilometres_and_minutes() {
+    let units = Units::Everyday(MASSES[0]);
+    let texts = [
+        (
+            "Below 3 r_s, for 4 r_s/c.",
+            format!(
+                "Below {}, for 2.82 minutes.",
+                units.length(3.0, four_digits)
+            ),
+        ),
+        (
+            "Stand still between 2.9 and 3.1 r_s",
+            format!(
+                "Stand still between {} and {}",
+                units.length(2.9, four_digits),
+                units.length(3.1, four_digits)
+            ),
+        ),
+        // What has no number, and what is no length, stays.
+        (
+            "pi/2 r_s/c, 2 and r_s, 0.3 c^2/r_s, 5 r_sx, E of 1.7",
+            "pi/2 r_s/c, 2 and r_s, 0.3 c^2/r_s, 5 r_sx, E of 1.7".into(),
+        ),
+        ("r_s", "r_s".into()),
+        ("", String::new()),
+    ];
+    for (text, expected) in texts {
+        assert_eq!(units.in_text(text), expected);
+        assert_eq!(Units::Hole.in_text(text), text);
+    }
+}
+
+#[test]
 fn read_outs_use_words_and_keep_their_width() {
     let text = |scene: &Scene| {
         read_outs(scene, 1.0, Units::Hole).map(|line| {

@@ -64,7 +64,7 @@ impl Shared {
     }
 
     fn say(&self, fault: &impl Display) {
-        let sentence = format!("no sound: {fault}; everything else goes on");
+        let sentence = format!("No sound: {fault}; everything else goes on");
         if self.fault.set(sentence.clone()).is_ok() {
             warn!("{sentence}");
         }

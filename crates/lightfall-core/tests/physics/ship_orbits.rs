@@ -127,6 +127,10 @@ fn the_orbit_hold_knows_the_speed_of_circular_orbits_and_where_there_are_none() 
                 .contains("even light does not circle here")
         );
     }
+    // From a circle with a velocity along it, the rapidity of that velocity.
+    let slow = ship(0.0, ObserverKind::Orbit, [0.0, 0.0, -0.05], 10.0, 90.0);
+    let takes = Hold::Orbit(10.0).rapidity(&slow).unwrap();
+    assert_near("rapidity to the circle", takes, 0.05_f64.atanh(), 1e-12);
     let inside = ship(0.9, ObserverKind::Rain, [0.0; 3], 0.7, 90.0);
     let ergosphere = ship(0.9, ObserverKind::Zamo, [0.0; 3], 0.9, 90.0);
     assert!(matches!(

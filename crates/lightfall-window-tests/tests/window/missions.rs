@@ -134,6 +134,10 @@ fn a_mission_that_ends_in_the_hole_is_not_reached_and_says_a_hint() {
     let results = desktop.settings().with_file_name("mission-results.csv");
     let rows = std::fs::read_to_string(results).unwrap();
     assert!(rows.contains("\ntwo-burns,missed,0,1,"), "{rows}");
+    // A key of the flight that is pressed as it ends leaves the card, and changes nothing.
+    desktop.press("period");
+    let after = desktop.later(3);
+    assert!(has_card(&after) && ship(&after).pace == ship(&end).pace);
     // Back to the start, since no goal was reached.
     desktop.press("BackSpace");
     wait_for(&desktop, "the start", |ship| {
@@ -414,6 +418,14 @@ fn a_preset_key_leaves_a_mission_only_when_it_is_pressed_again() {
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn at_the_controls_the_keys_that_look_and_turn_say_what_they_do_and_the_help_lists_them() {
     let desktop = begin();
+    // The help does not begin the mission.
+    desktop.press("F1");
+    desktop.wait_for("the help before the start", |state| {
+        state.shows("At the ship's controls")
+    });
+    desktop.press("F1");
+    let read = desktop.wait_for("the card again", has_card);
+    assert_eq!(ship(&read).own_time, 0.0);
     desktop.press("t");
     desktop.wait_for("the look ahead", |state| {
         state.mentions("You look along the nose")

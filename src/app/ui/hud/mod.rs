@@ -22,7 +22,9 @@ mod toast;
 pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
-pub use ship::{Instrument, PathLine, Wanted, instruments, map_half_width, outside_horizon, wanted};
+pub use ship::{
+    Instrument, PathLine, Wanted, instruments, map_half_width, outside_horizon, wanted,
+};
 
 use crate::app::ui::layout::Importance;
 use bevy::prelude::*;
@@ -36,7 +38,11 @@ pub(crate) fn plugin(app: &mut App) {
                 journey::show_journey.in_set(Importance::Words),
                 stop::show_stop.in_set(Importance::Cards),
                 ship::show_question.in_set(Importance::Cards),
-                (ship::reserve_map, ship::show_mission, ship::show_instruments)
+                (
+                    ship::reserve_map,
+                    ship::show_mission,
+                    ship::show_instruments,
+                )
                     .chain()
                     .in_set(Importance::Words),
                 toast::show_toast.in_set(Importance::Message),
