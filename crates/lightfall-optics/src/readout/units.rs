@@ -50,7 +50,8 @@ impl Units {
             };
             let number = |word: &str| word.parse::<f64>().ok().filter(|it| it.is_finite());
             let ends = after.chars().all(|it| !it.is_alphanumeric());
-            let (Some(value), true, true) = (number(&words[place - 1]), !unit.is_empty(), ends) else {
+            let (Some(value), true, true) = (number(&words[place - 1]), !unit.is_empty(), ends)
+            else {
                 place += 1;
                 continue;
             };
