@@ -177,7 +177,7 @@ fn going_back_restores_the_pilot_and_a_second_time_without_thrust_leads_to_the_s
 #[test]
 fn a_path_that_only_leads_into_the_hole_has_no_highest_point() {
     let mut player = Player::begin("graze");
-    let labels = |player: &Player| -> Vec<&str> {
+    let labels = |player: &Player| -> Vec<&'static str> {
         let mass = player.ship.mass().unwrap();
         let all = instruments(&player.ship, mass, Units::Hole);
         all.iter().map(|row| row.label).collect()

@@ -122,6 +122,7 @@ impl Aboard {
             news = Some(News::LittleFuel);
         }
         if fuel.left() > 0.0 && left == 0.0 {
+            self.hold = None;
             news = Some(News::Empty);
         }
         if let (Some(hold), Thrust::Off) = (self.hold, flight.orders().thrust) {

@@ -79,9 +79,9 @@ impl MissionPlay {
         };
     }
 
-    /// Notes how many goals are reached. Returns whether one more is.
-    fn note_goals(&mut self, reached: usize) -> bool {
-        let has_more = reached > self.reached;
+    /// Notes how many goals are reached. Returns whether one more is, and the attempt goes on.
+    fn note_goals(&mut self, reached: usize, is_over: bool) -> bool {
+        let has_more = reached > self.reached && !is_over;
         if has_more {
             self.at_goal = (self.shown.clone(), self.caption(), reached);
         }
@@ -178,7 +178,7 @@ pub(super) fn watch_mission(
     let units = ship.units(&preferences.settings);
     let reached = attempt.reached().len();
     let is_over = attempt.is_over();
-    if play.note_goals(reached) && !is_over {
+    if play.note_goals(reached, is_over) {
         let goal = units.in_text(&attempt.mission.goals[reached - 1].text);
         editor.say(format!("Reached: {goal}"));
     }
