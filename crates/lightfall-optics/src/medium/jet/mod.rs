@@ -67,7 +67,7 @@ impl Shape {
         Self {
             kappa: 0.88,
             width,
-            sheath: [0.0, 0.5],
+            sheath: [0.45, 0.35],
             spine: [100.0, 0.035],
             rim: 2.0,
             speed,
