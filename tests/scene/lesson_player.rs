@@ -147,3 +147,49 @@ fn a_lesson_that_was_left_at_a_stop_goes_on_there_and_switches_again() {
     );
     assert!(!player.is_playing() && player.time() == 0.0 && player.begins_anew(&scene()));
 }
+
+/// A lesson that compares, and one that has switched the disk off before.
+const COMPARES: &str = "preset = \"above\"\n[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\
+    [[stop]]\nat = 0\neffects.beaming = false\nside_by_side = true\n";
+const DARK: &str = "[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\
+    [[stop]]\nat = 0\ndisk.enabled = false\n";
+
+/// The scene beside the present one at the stop at which a lesson waits.
+fn beside(player: &JourneyPlayer) -> Scene {
+    let stops = player.shown_stops().unwrap().stops;
+    let switches = player.journey().switches_of(stops);
+    player.beside(&switches).unwrap()
+}
+
+#[test]
+fn a_lesson_chosen_while_another_one_waits_is_compared_with_its_own_scene() {
+    let mut player = JourneyPlayer::new(load("dark.toml", DARK).unwrap());
+    player.rewind(&scene());
+    player.restart();
+    let dark = after(&mut player, &scene(), 3).unwrap();
+    assert!(player.rests() && !dark.disk.enabled);
+    // As the menu does it: what was switched is put back, and the next lesson begins in the same frame.
+    let home = player.unswitched(dark).unwrap();
+    player.take(load("compares.toml", COMPARES).unwrap());
+    player.rewind(&scene());
+    player.restart();
+    let compared = after(&mut player, &home, 3).unwrap();
+    assert!(player.rests() && !compared.effects.beaming);
+    let beside = beside(&player);
+    assert!(beside.disk.enabled && beside.effects.beaming);
+}
+
+#[test]
+fn a_lesson_that_begins_again_in_its_own_preset_is_compared_with_it() {
+    let close = presets::find("close").unwrap().plain_scene().clone();
+    let mut player = JourneyPlayer::new(load("compares.toml", COMPARES).unwrap());
+    player.rewind(&close);
+    player.restart();
+    after(&mut player, &close, 3).unwrap();
+    assert_eq!(beside(&player).name, "close");
+    // Enter puts the preset that the lesson names in place, without a frame in between.
+    player.rewind(&scene());
+    player.restart();
+    after(&mut player, &scene(), 3).unwrap();
+    assert_eq!(beside(&player).name, "above");
+}

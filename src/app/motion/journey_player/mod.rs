@@ -47,6 +47,9 @@ struct Flight {
     last: Option<Camera>,
     /// How many stops have switched what is shown. None before the first frame.
     shown: Option<usize>,
+    /// The scene of the first frame, which stops compare with. It belongs to the flight, so that no
+    /// journey is compared with the scene of another one.
+    began: Option<Scene>,
 }
 
 impl Flight {
@@ -58,6 +61,7 @@ impl Flight {
             clock,
             last: None,
             shown: None,
+            began: None,
         }
     }
 }
@@ -238,6 +242,7 @@ impl JourneyPlayer {
         self.journey
             .drive_clock([flight.clock, self.time], &before, &mut next);
         (flight.clock, flight.last) = (self.time, Some(next.camera));
+        flight.began.get_or_insert_with(|| next.clone());
         let step = FlightStep::to(next, is_last && self.time >= self.journey.duration);
         if !matches!(step, FlightStep::Moved(_)) {
             self.flight = None;
