@@ -209,8 +209,8 @@ pub(super) fn advance_journey(
             editor.fly(&next);
             let again = ("journey.again", "fly it again");
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
-            let [title, ending] = player.last_words();
-            end_card.show(title, ending, again, fall);
+            let [title, ending] = player.last_words().map(|text| bindings.with_keys(text));
+            end_card.show(&title, &ending, again, fall);
         }
         FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
     }

@@ -6,7 +6,7 @@ use lightfall_core::scene::journey::{
     self, Draft, InspectorView, Journey, LESSONS, Shown, SideBySide, Unflyable, load,
 };
 use lightfall_core::scene::presets::{PRESETS, find};
-use lightfall_core::scene::{JudgedAnswer, ObserverKind, Scene, Value, View};
+use lightfall_core::scene::{JudgedAnswer, ObserverKind, Scene, Value, View, typed_number};
 
 const KEYFRAMES: &str = "[[keyframe]]\ntime = 2\nr = 20\n[[keyframe]]\ntime = 12\nr = 10\n";
 
@@ -65,6 +65,37 @@ fn a_stop_is_read_with_everything_that_it_may_have() {
         Some(InspectorView::Toward([-1.0, 0.0, 0.5]))
     );
     assert_eq!((second.time, second.caption.as_str()), (10.0, ""));
+}
+
+#[test]
+fn answers_are_read_as_people_write_numbers() {
+    for (typed, unit, number) in [
+        ("6.25", "", 6.25),
+        (" 6,25 ", "", 6.25),
+        ("-1,5", "", -1.5),
+        ("\u{2212}1.5", "", -1.5),
+        ("6.6e7", "km", 6.6e7),
+        ("66 million km", "million km", 66.0),
+        ("66", "million km", 66.0),
+        ("6.25%", "", 0.0625),
+        ("6,25 %", "", 0.0625),
+        ("6.25 %", "%", 6.25),
+        ("1/16", "", 0.0625),
+        ("27 / 4", "", 6.75),
+        ("2,5/4", "r_s", 0.625),
+        ("75.4°", "", 75.4),
+        ("75,4 °", "degrees", 75.4),
+        ("75.4 degrees", "degrees", 75.4),
+        ("75.4°", "°", 75.4),
+    ] {
+        assert_eq!(typed_number(typed, unit), Some(number), "{typed}");
+    }
+    for typed in [
+        "", " ", "large", "1/0", "0/0", "1/2/3", "/", "1/", "%", "°", "inf", "nan", "1/inf",
+        "1 000", "1.234,5", "6.25 %%", "3 km",
+    ] {
+        assert_eq!(typed_number(typed, "r_s"), None, "{typed}");
+    }
 }
 
 #[test]

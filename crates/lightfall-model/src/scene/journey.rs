@@ -38,7 +38,7 @@ use self::clock::Clock;
 use self::keyframe::Keyframe;
 use self::tracks::Tracks;
 use super::presets::Preset;
-use super::{Camera, ObserverKind, Scene};
+use super::{Camera, ObserverKind, Question, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_degrees;
 
@@ -106,7 +106,7 @@ impl Journey {
         for stop in &self.stops {
             texts.push(&stop.caption);
             let question = stop.question.iter();
-            texts.extend(question.flat_map(|question| [&question.text, &question.unit]));
+            texts.extend(question.flat_map(Question::texts));
         }
         texts
     }

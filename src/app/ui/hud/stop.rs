@@ -95,10 +95,10 @@ pub(super) fn show_stop(
                 ui.spacing_mut().item_spacing.y = 0.35 * size;
                 ui.label(words(&head, SMALL * size, WARNING));
                 if !stop.caption.is_empty() {
-                    ui.label(words(&stop.caption, size, BRIGHT));
+                    ui.label(words(&bindings.with_keys(&stop.caption), size, BRIGHT));
                 }
                 if let Some(question) = &stop.question
-                    && ask(ui, question, &mut answer, size)
+                    && ask(ui, question, (&mut *answer, &*bindings), size)
                 {
                     command = Some(AppCommand::GoOn);
                 }
@@ -125,14 +125,21 @@ fn words(text: &str, size: f32, colour: Color32) -> RichText {
 }
 
 /// Asks the question and judges the answer. Returns whether the lesson goes on.
-fn ask(ui: &mut egui::Ui, question: &Question, answer: &mut Answer, size: f32) -> bool {
-    ui.label(words(&question.text, 0.9 * size, BRIGHT));
+fn ask(
+    ui: &mut egui::Ui,
+    question: &Question,
+    (answer, bindings): (&mut Answer, &Bindings),
+    size: f32,
+) -> bool {
+    let text = bindings.with_keys(&question.text);
+    ui.label(words(&text, 0.9 * size, BRIGHT));
     let line = ui.horizontal(|ui| {
         let Answer {
             typed, is_right, ..
         } = answer;
         let used = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
-        ui.label(words(&answer.said, 0.9 * size, WARNING));
+        let said = bindings.with_keys(&answer.said);
+        ui.label(words(&said, 0.9 * size, WARNING));
         used
     });
     let (step, field) = line.inner;

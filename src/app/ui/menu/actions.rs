@@ -123,22 +123,22 @@ impl MenuActions<'_> {
     }
 
     /// The line below the entries.
-    pub(super) fn hint(&self) -> String {
+    pub(super) fn hint(&self, bindings: &Bindings) -> String {
         const KEYS: &str = "Up, Down and Enter choose";
         let file = self.missions.results.file().filter(|_| !IN_BROWSER);
         if let MenuEntry::Lesson(index) = self.menu.selected()
             && let Some(lesson) = self.lessons.0.get(index)
             && !lesson.teaches.is_empty()
         {
-            return lesson.teaches.clone();
+            return bindings.with_keys(&lesson.teaches);
         }
         if let MenuEntry::Mission(index) = self.menu.selected()
             && let Some(mission) = self.missions.list.get(index)
         {
-            return match mission.teaches.as_str() {
-                "" => mission.brief.clone(),
-                teaches => teaches.to_owned(),
-            };
+            return bindings.with_keys(match mission.teaches.as_str() {
+                "" => mission.brief.as_str(),
+                teaches => teaches,
+            });
         }
         match (self.menu.list(), file) {
             (MenuList::Missions(_), Some(file)) => {
