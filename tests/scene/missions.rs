@@ -268,17 +268,22 @@ fn what_a_mission_names_is_shown_in_the_smallest_window() {
 
 /// A name in braces stands for a key.
 #[test]
-fn captions_name_controls_that_exist() {
+fn texts_of_missions_and_lessons_name_controls_that_exist() {
+    let check = |name: &str, text: &str| {
+        for part in text.split('{').skip(1) {
+            let (id, _) = part
+                .split_once('}')
+                .unwrap_or_else(|| panic!("{name}: {text}"));
+            assert!(control_named(id).is_some(), "{name}: {id}");
+        }
+    };
     for (name, text) in MISSIONS {
         let mission = mission::load(name, text).unwrap();
-        for text in mission.texts() {
-            for part in text.split('{').skip(1) {
-                let (id, _) = part
-                    .split_once('}')
-                    .unwrap_or_else(|| panic!("{name}: {text}"));
-                assert!(control_named(id).is_some(), "{name}: {id}");
-            }
-        }
+        mission.texts().iter().for_each(|text| check(name, text));
+    }
+    for (name, text) in LESSONS {
+        let lesson = journey::load(name, text).unwrap();
+        lesson.texts().iter().for_each(|text| check(name, text));
     }
 }
 

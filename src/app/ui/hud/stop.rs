@@ -6,7 +6,7 @@ use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::helm::CommandSender;
-use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32, RichText, vec2};
@@ -82,6 +82,11 @@ pub(super) fn show_stop(
         context.request_repaint();
     }
     let place = place_of(layout, size);
+    // One that hides the hole is smaller, but not as small as one that is too high.
+    if layout.covers_hole(place) && shown.is_some() && answer.size == 0 {
+        answer.size = 1;
+        context.request_repaint();
+    }
     layout.take(NAME, place);
     let mut command = None;
     egui::Area::new(NAME.into())
@@ -93,7 +98,6 @@ pub(super) fn show_stop(
             text_box(12.0, 8.0).show(ui, |ui| {
                 let size = SIZES[answer.size];
                 ui.spacing_mut().item_spacing.y = 0.35 * size;
-                ui.label(words(&head, SMALL * size, WARNING));
                 if !stop.caption.is_empty() {
                     ui.label(words(&bindings.with_keys(&stop.caption), size, BRIGHT));
                 }
@@ -102,7 +106,7 @@ pub(super) fn show_stop(
                 {
                     command = Some(AppCommand::GoOn);
                 }
-                command = command.or(show_ways(ui, keys, SMALL * size));
+                command = command.or(show_ways(ui, (keys, &head), SMALL * size));
             });
         });
     if let Some(command) = command {
@@ -110,11 +114,16 @@ pub(super) fn show_stop(
     }
 }
 
-/// The place of a card of this size: above the toast, and over the hole rather than nowhere.
+/// The place of a card of this size: above the toast and beside the hole, and otherwise as low over the hole
+/// as the read-outs allow.
 fn place_of(layout: &Layout, size: egui::Vec2) -> egui::Rect {
-    let wish = layout.above_read_outs(TOAST);
+    let beside_hole = Wish {
+        covers_hole: false,
+        ..layout.above_read_outs(TOAST)
+    };
+    let over_hole = layout.above_read_outs(0.0);
     let lowest = layout.at(Align2::CENTER_BOTTOM, Slide::Anywhere);
-    [wish, lowest.even_over_hole()]
+    [beside_hole, over_hole, lowest.even_over_hole()]
         .into_iter()
         .find_map(|wish| layout.wished(size, wish))
         .unwrap_or_else(|| Align2::CENTER_BOTTOM.align_size_within_rect(size, layout.bounds()))
@@ -155,15 +164,20 @@ fn ask(
     step == Step::IsDone
 }
 
-/// Shows the buttons that go on and back, with their keys. Returns what was clicked.
-fn show_ways(ui: &mut egui::Ui, keys: [String; 2], size: f32) -> Option<AppCommand> {
+/// Shows the buttons that go on and back, with their keys, and the title behind them. Returns what was
+/// clicked.
+fn show_ways(
+    ui: &mut egui::Ui,
+    (keys, title): ([String; 2], &str),
+    size: f32,
+) -> Option<AppCommand> {
     let [on, back] = keys;
     let ways = [
         ("Go on", on, AppCommand::GoOn),
         ("Back", back, AppCommand::GoBack),
     ];
     let mut clicked = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (name, key, command) in ways {
             if command == AppCommand::GoBack && key.is_empty() {
                 continue;
@@ -177,6 +191,7 @@ fn show_ways(ui: &mut egui::Ui, keys: [String; 2], size: f32) -> Option<AppComma
             ui.label(words(&key, size, QUIET));
             ui.add_space(8.0);
         }
+        ui.label(words(title, size, WARNING));
     });
     clicked
 }

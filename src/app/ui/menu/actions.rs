@@ -110,7 +110,7 @@ impl MenuActions<'_> {
         [mission.title.clone(), reached]
     }
 
-    /// A lesson's title, and how many stops it has.
+    /// A lesson's title, and how many stops it has, if any.
     fn lesson_words(&self, index: usize) -> [String; 2] {
         let Some(lesson) = self.lessons.0.get(index) else {
             return Default::default();
@@ -119,7 +119,11 @@ impl MenuActions<'_> {
             "" => "Without a title",
             title => title,
         };
-        [title.to_owned(), counted(lesson.stops.len(), "stop")]
+        let stops = match lesson.stops.len() {
+            0 => String::new(),
+            stops => counted(stops, "stop"),
+        };
+        [title.to_owned(), stops]
     }
 
     /// The line below the entries.
