@@ -10,6 +10,7 @@ use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::{self, LESSONS};
 use lightfall_core::scene::mission::{self, MISSIONS, MissionKey, Quantity};
 
 /// A frame of a slow machine.
