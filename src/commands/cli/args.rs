@@ -205,9 +205,10 @@ pub enum PresetsCommand {
         #[arg(long)]
         needs: bool,
     },
-    /// Check a preset or a mission
+    /// Check a preset, a mission, or a journey or lesson
     Check {
-        /// Number or name of a preset, name of a mission, a TOML file of either, or a picture that Lightfall drew
+        /// Number or name of a preset, name of a mission or of a lesson, a TOML file of one of them, or a picture that
+        /// Lightfall drew
         #[arg(value_name = "N|NAME|PATH")]
         preset: OsString,
     },

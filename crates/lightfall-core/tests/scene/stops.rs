@@ -1,5 +1,6 @@
 //! The stops of journeys: how they are read, refused and written, and what they switch.
 
+use crate::journey_faults::without_line;
 use crate::random::Random;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{
@@ -105,7 +106,7 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
     for (stop, sentence) in [
         (
             "",
-            "at = nothing is refused: it must be a number of seconds from 2 to 12, within the journey",
+            "at is missing: it must be a number of seconds from 2 to 12, within the journey",
         ),
         (
             "at = 13",
@@ -161,18 +162,22 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         ),
         (
             "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = -1 }",
-            "question.tolerance = -1 is refused: it must be a finite number, not negative",
+            "question.tolerance = -1 is refused: it must be a finite number above 0",
+        ),
+        (
+            "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = 0 }",
+            "question.tolerance = 0 is refused: it must be a finite number above 0",
         ),
         (
             "at = 5\nquestion = { answer = 1, tolerance = 1 }",
-            "question.text = nothing is refused: it must be one line of text, from 1 to 400 characters long",
+            "question.text is missing: it must be one line of text, from 1 to 400 characters long",
         ),
         (
             "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = 1, hint = 2 }",
             "question.hint = 2 is refused: it must be one line of text, from 1 to 400 characters long",
         ),
     ] {
-        let said = fault(&format!("[[stop]]\n{stop}"));
+        let said = without_line(&fault(&format!("[[stop]]\n{stop}")));
         let number = 1 + stop.matches("[[stop]]").count();
         let start = format!("j.toml: stop {number}: {sentence}");
         assert!(said.starts_with(&start), "{said}\n{start}");
@@ -206,6 +211,13 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         assert!(said.starts_with(&start), "{said}\n{start}");
         assert!(said.ends_with(known), "{said}");
     }
+    let comma = fault(
+        "[[stop]]\nat = 5\nquestion = { text = \"Is v = 1,5?\", answer = 0,8165, tolerance = 0.1 }",
+    );
+    assert!(
+        comma.starts_with("j.toml: line 9, column ") && comma.contains("(write 0.8165 with a point)"),
+        "{comma}"
+    );
     let many = "[[stop]]\nat = 5\n".repeat(201);
     assert_eq!(
         fault(&many),
