@@ -31,7 +31,7 @@ pub struct GpuArgs {
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
     /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a
-    /// picture drawn from one; without a command also a mission, by its name or file [default: 2]
+    /// picture drawn from one; without a command also a mission or a lesson, by its name or file [default: 2]
     #[arg(long, value_name = "N|NAME|PATH")]
     pub preset: Option<OsString>,
     /// Set one field of the preset, such as camera.r=20; may be repeated, and the last value counts

@@ -28,8 +28,8 @@ pub use folders::{
     settings_file,
 };
 pub use opened::{
-    Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
-    scene_by_name,
+    Opened, is_journey, open_by_name, open_contents, open_file, own_missions, own_presets,
+    read_scene, scene_by_name,
 };
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{

@@ -255,3 +255,24 @@ fn a_lesson_made_by_keys_is_saved_and_plays_again() {
     assert!((places[0] - places[1]).abs() < 1e-6, "{places:?}");
     assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }
+
+/// A lesson's file opens as a mission's does.
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_lesson_begins_from_the_command_lines_preset_and_from_a_dropped_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plain-lesson.toml");
+    std::fs::write(&file, PLAIN_LESSON).unwrap();
+    let desktop = Desktop::open_small(&["--preset", file.to_str().unwrap()]);
+    desktop.order(&Order::Step(STEP));
+    let first = wait_for_stop(&desktop, "1 of 2");
+    assert!(first.shows("First line.") && !is_on(&first, "effects.doppler"));
+    desktop.press("j");
+    desktop.wait_for("J leaves", |state| {
+        state.journey.is_none() && is_on(state, "effects.doppler")
+    });
+    desktop.order(&Order::Drop(file));
+    let dropped = wait_for_stop(&desktop, "1 of 2");
+    assert!(!is_on(&dropped, "effects.doppler"));
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+}
