@@ -361,6 +361,24 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     assert!(!rows[3].is_better_than(&rows[3]) && !rows[0].is_better_than(&rows[1]));
 }
 
+/// A table for a class has no digits of rounding.
+#[test]
+fn the_numbers_of_a_result_are_short_and_small_ones_have_an_exponent() {
+    let row = MissionResult {
+        own_time: 0.1 + 0.2,
+        peak_tide: 5.0519e-13 * 1.000_000_000_001,
+        ..result("graze", true, 3, 1.0 / 3.0)
+    }
+    .row();
+    let cells: Vec<&str> = row.split(',').collect();
+    assert_eq!(cells[4..7], ["0.3", "", "0.3333333333"], "{row}");
+    assert_eq!(
+        cells[9..13],
+        ["9.5", "5.0519e-13", "5.99", "3.5e-14"],
+        "{row}"
+    );
+}
+
 #[test]
 fn the_next_mission_is_the_first_one_after_this_that_was_not_reached_or_one_before_it() {
     let list: Vec<_> = MISSIONS

@@ -115,6 +115,20 @@ fn a_lesson_is_played_by_keys_to_its_end_and_what_it_has_switched_is_put_back() 
     desktop.press("Return");
     let end = desktop.wait_for("the end card", |state| has_box(state, "end card"));
     assert!(end.journey.is_none() && !has_box(&end, "stop"));
+    assert!(
+        end.mentions("0 of 2 questions right at once, 1 after more tries.")
+            && end.mentions("Next lesson, in the menu: Falling in, and the two clocks")
+    );
+    let results = desktop.settings().with_file_name("lesson-results.csv");
+    let rows = std::fs::read_to_string(results).unwrap();
+    assert_eq!(
+        rows.lines().collect::<Vec<_>>(),
+        [
+            "lesson,question,answer,is_right,tries",
+            "Why is one side brighter?,2,888,false,1",
+            "Why is one side brighter?,2,0.889,true,2",
+        ]
+    );
     // The last picture stays until the card is closed.
     assert_eq!(end.scene["disk.structure"], "none");
     desktop.press("Escape");

@@ -6,11 +6,14 @@ use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::helm::CommandSender;
+use crate::app::state::lesson_results::LessonAnswer;
+use crate::app::state::toast::Toast;
 use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32, RichText, vec2};
-use lightfall_core::scene::Question;
+use lightfall_core::scene::{JudgedAnswer, Question};
+use lightfall_platform::storage::lesson_results_file;
 
 /// Name of the card, which is its egui area.
 const NAME: &str = "stop";
@@ -39,10 +42,10 @@ pub(super) struct Answer {
 
 pub(super) fn show_stop(
     mut screen: Screen,
-    player: Res<JourneyPlayer>,
+    mut player: ResMut<JourneyPlayer>,
     (bindings, pads, connected): (Res<Bindings>, Res<PadBindings>, Query<&Gamepad>),
     mut answer: Local<Answer>,
-    mut commands: CommandSender,
+    (mut commands, mut toast): (CommandSender, ResMut<Toast>),
 ) {
     let Some((stop, number)) = player.waits_at() else {
         return;
@@ -88,7 +91,7 @@ pub(super) fn show_stop(
         context.request_repaint();
     }
     layout.take(NAME, place);
-    let mut command = None;
+    let (mut command, mut judged) = (None, None);
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .constrain(false)
@@ -101,16 +104,37 @@ pub(super) fn show_stop(
                 if !stop.caption.is_empty() {
                     ui.label(words(&bindings.with_keys(&stop.caption), size, BRIGHT));
                 }
-                if let Some(question) = &stop.question
-                    && ask(ui, question, (&mut *answer, &*bindings), size)
-                {
-                    command = Some(AppCommand::GoOn);
+                if let Some(question) = &stop.question {
+                    let asked = ask(ui, question, (&mut *answer, &*bindings), size);
+                    command = asked.goes_on.then_some(AppCommand::GoOn);
+                    judged = asked.judged;
                 }
                 command = command.or(show_ways(ui, (keys, &head), SMALL * size));
             });
         });
     if let Some(command) = command {
         commands.send(command);
+    }
+    if let Some(judged) = judged {
+        keep(&mut player, &judged, |fault| toast.say(fault));
+    }
+}
+
+/// Notes an answer, and keeps it in the file of results, if there is one.
+fn keep(player: &mut JourneyPlayer, judged: &JudgedAnswer, say: impl FnOnce(String)) {
+    let Some(noted) = player.note_answer(judged.is_right) else {
+        return;
+    };
+    let answer = LessonAnswer {
+        lesson: player.journey().title.clone(),
+        question: noted.question,
+        answer: judged.number,
+        is_right: judged.is_right,
+        tries: noted.tries,
+    };
+    let kept = lesson_results_file().map(|file| answer.keep(&file));
+    if let Some(Err(fault)) = kept {
+        say(fault);
     }
 }
 
@@ -133,13 +157,21 @@ fn words(text: &str, size: f32, colour: Color32) -> RichText {
     RichText::new(text).size(size).color(colour)
 }
 
-/// Asks the question and judges the answer. Returns whether the lesson goes on.
+/// What was done at a question.
+struct Asked {
+    /// Whether the lesson goes on.
+    goes_on: bool,
+    /// The answer that was given, if it is a number.
+    judged: Option<JudgedAnswer>,
+}
+
+/// Asks the question and judges the answer.
 fn ask(
     ui: &mut egui::Ui,
     question: &Question,
     (answer, bindings): (&mut Answer, &Bindings),
     size: f32,
-) -> bool {
+) -> Asked {
     let text = bindings.with_keys(&question.text);
     ui.label(words(&text, 0.9 * size, BRIGHT));
     let line = ui.horizontal(|ui| {
@@ -152,16 +184,23 @@ fn ask(
         used
     });
     let (step, field) = line.inner;
+    let mut judged = None;
     if step == Step::Answers {
         match question.judge(&answer.typed) {
-            Ok(judged) => (answer.is_right, answer.said) = (judged.is_right, judged.said),
+            Ok(it) => {
+                (answer.is_right, answer.said) = (it.is_right, it.said.clone());
+                judged = Some(it);
+            }
             Err(fault) => answer.said = fault,
         }
         if !answer.is_right {
             field.request_focus();
         }
     }
-    step == Step::IsDone
+    Asked {
+        goes_on: step == Step::IsDone,
+        judged,
+    }
 }
 
 /// Shows the buttons that go on and back, with their keys, and the title behind them. Returns what was
