@@ -17,6 +17,7 @@ mod key_line;
 mod keyframe;
 mod lessons;
 mod load;
+mod read_question;
 mod read_stop;
 mod save;
 mod stop;
