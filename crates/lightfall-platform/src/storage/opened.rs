@@ -32,8 +32,11 @@ impl Opened {
             Self::Scene(scene) => (*scene, None),
             Self::Mission(mission) => (mission.scene().clone(), Some(mission)),
             Self::Journey(journey) => {
-                let preset = journey.preset.unwrap_or(&PRESETS[presets::DEFAULT - 1]);
-                (preset.plain_scene().clone(), None)
+                let default = PRESETS[presets::DEFAULT - 1];
+                (
+                    journey.preset.unwrap_or(&default).plain_scene().clone(),
+                    None,
+                )
             }
         }
     }
