@@ -39,8 +39,8 @@ impl JourneyPlayer {
         })
     }
 
-    /// How many questions were answered rightly, at once and later, in a sentence. None for a journey
-    /// without questions.
+    /// How many questions were answered rightly, at once and later, in a sentence. None where nobody has
+    /// answered, as where a teacher asks a class.
     #[must_use]
     pub fn score(&self) -> Option<String> {
         let all = self.questions_until(self.journey.stops.len());
@@ -55,7 +55,8 @@ impl JourneyPlayer {
             later => format!(", {later} after more tries"),
         };
         let questions = counted(all, "question");
-        (all > 0).then(|| format!("{} of {questions} right at once{later}.", right(true)))
+        let sentence = format!("{} of {questions} right at once{later}.", right(true));
+        (!self.answers.is_empty()).then_some(sentence)
     }
 
     /// The number of questions of the first stops, so many of them.

@@ -64,7 +64,7 @@ pub(super) fn show_stop(
     let head = format!("{number} of {}", journey.stops.len());
     let head = match journey.title.trim() {
         "" => head,
-        title => format!("{title} · {head}"),
+        title => format!("{} · {head}", bindings.with_keys(title)),
     };
     let with_pad = !connected.is_empty();
     let key = |key: &str, button: &str| match with_pad {
