@@ -116,7 +116,7 @@ pub(super) fn start_missions(
         times.0.follow(Mission::clone(mission));
         let units = preferences.settings.units();
         *end_card = EndCard::new(
-            &mission.title,
+            &bindings.with_keys(&mission.title),
             &bindings.with_keys(&words::brief(mission, units)),
             words::first_keys(mission),
         );
@@ -143,7 +143,7 @@ pub(super) fn watch_mission(
     let reached = attempt.reached().len();
     let is_over = attempt.is_over();
     if reached > play.reached && !is_over {
-        let goal = &attempt.mission.goals[reached - 1].text;
+        let goal = bindings.with_keys(&attempt.mission.goals[reached - 1].text);
         editor.say(format!("Reached: {goal}"));
     }
     play.reached = reached;
@@ -185,7 +185,9 @@ pub(super) fn watch_mission(
         has_next: missions.next_after(&kept.mission).is_some(),
     };
     let mut card = words::end(&end, units);
+    card.title = bindings.with_keys(&card.title);
     card.text = bindings.with_keys(&card.text);
+    card.details = bindings.with_keys(&card.details);
     let question = attempt.mission.questions.first();
     match question.filter(|_| has_succeeded) {
         Some(question) => asked.ask(question.clone(), kept, card),

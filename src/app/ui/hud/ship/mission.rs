@@ -39,7 +39,7 @@ pub(in crate::app::ui::hud) fn show_mission(
     let rows = wanted(attempt, units);
     // Without their values the goals take less room.
     for rows in [&rows[..], &[]] {
-        if show_goals((context, layout), attempt, rows, units) {
+        if show_goals((context, layout), attempt, rows, (units, &*bindings)) {
             break;
         }
     }
@@ -60,12 +60,13 @@ fn show_goals(
     (context, layout): (&egui::Context, &mut Layout),
     attempt: &Attempt,
     rows: &[Wanted],
-    units: Units,
+    (units, bindings): (Units, &Bindings),
 ) -> bool {
     let mission = &attempt.mission;
     let mut board = Board::new(context, "mission", 1.0);
     let width = MAX_GOALS.min(layout.bounds().width());
-    board.add_line(board.text(&mission.title, TEXT, WARNING, width), 0.0);
+    let title = bindings.with_keys(&mission.title);
+    board.add_line(board.text(&title, TEXT, WARNING, width), 0.0);
     let reached = attempt.reached().len();
     for (index, goal) in mission.goals.iter().enumerate() {
         let is_next = index == reached && !attempt.is_over();
@@ -82,7 +83,7 @@ fn show_goals(
             None => String::new(),
         };
         let colour = if is_next { BRIGHT } else { QUIET };
-        let words = format!("{sign} {}{held}", goal.text);
+        let words = format!("{sign} {}{held}", bindings.with_keys(&goal.text));
         board.add_line(board.text(&words, TEXT, colour, width), 3.0);
         for row in rows.iter().filter(|_| is_next) {
             let words = format!("     {}  {}  ({})", row.label, row.value, row.wanted);
