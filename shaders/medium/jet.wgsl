@@ -72,16 +72,17 @@ fn jet_fade(share: f32) -> f32 {
     return s * s * (3.0 - 2.0 * s);
 }
 
-// The brightness of the sheath at the place `in_sheath`, and of the spine.
-fn jet_across(in_sheath: f32, stream: f32) -> f32 {
-    let off = (in_sheath - jet.sheath) * jet.inverse_sheath_width;
-    return exp(-off * off) + jet.spine * exp(-stream * jet.inverse_spine_width2);
+// The brightness of the sheath and of the spine.
+fn jet_across(stream: f32) -> vec2<f32> {
+    let off = (sqrt(stream) - jet.sheath) * jet.inverse_sheath_width;
+    return vec2<f32>(exp(-off * off), jet.spine * exp(-stream * jet.inverse_spine_width2));
 }
 
 // Emission of the smooth jets for each r_s of the way in the matter's frame.
 fn jet_emission(r: f32, stream: f32) -> f32 {
     let rim = max(1.0 - exp2(jet.rim * log2(max(stream, TINY))), 0.0);
-    let across = jet_across(sqrt(stream), stream) * rim * rim;
+    let parts = jet_across(stream);
+    let across = (parts.x + parts.y) * rim * rim;
     let ends = jet_fade(r / jet.base - 1.0) * jet_fade((jet.length - r) / jet.fade);
     return across * ends * exp2(-jet.decay * log2(jet_radius(r)));
 }

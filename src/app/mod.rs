@@ -32,7 +32,7 @@ pub use motion::edge_view::{edge_distance, edge_in_view};
 pub use motion::facing::{Aim, aimed, between_axes, next_aim};
 pub use motion::flight_step::FlightStep;
 pub use motion::free_fall::FreeFall;
-pub use motion::journey_player::JourneyPlayer;
+pub use motion::journey_player::{JourneyPlayer, NotedAnswer};
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::ship::{
     Engine, Flown, HoldKind, News, Nose, ShipFlight, ShipFrame, Stick, Track, lamps, own_time_rate,
@@ -47,6 +47,8 @@ pub use session::frame_pacing::FramePacing;
 pub use session::link::command_line;
 pub use state::disk_clock::DiskClock;
 pub use state::history::History;
+pub use state::lesson_results::LessonAnswer;
+pub use state::lessons::next_lesson;
 pub use state::menu::{Menu, MenuEntry, MenuList};
 pub use state::mission_results::{MissionResult, MissionResults};
 pub use state::missions::next_not_reached;

@@ -19,11 +19,12 @@ use lightfall_core::scene::{Output, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, Studio};
 use lightfall_platform::log::say;
-use lightfall_platform::storage::file_safe_name;
+use lightfall_platform::storage::{file_safe_name, is_journey, journey_by_name};
 use std::path::{Path, PathBuf};
 
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
+    let args = &with_journey(args);
     let journey_file = args.journey.as_deref();
     if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
         return Err(Stop::refused(format!(
@@ -89,6 +90,21 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     let mut program = app::program(start);
     addition(&mut program);
     app::run(program).map_err(Stop::failed)
+}
+
+/// The options with the journey that `--preset` names as their journey: lessons open as missions do. It is
+/// flown in the preset that it names.
+fn with_journey(args: &FlyArgs) -> FlyArgs {
+    let mut args = args.clone();
+    let named = args.scene.preset.clone();
+    let named = named.filter(|named| args.journey.is_none() && is_journey(named));
+    if let Some(named) = named {
+        let path = PathBuf::from(named);
+        let preset = journey_by_name(&path).ok().and_then(|it| it.preset);
+        args.scene.preset = preset.map(|preset| preset.name.into());
+        args.journey = Some(path);
+    }
+    args
 }
 
 /// What a window would show first.

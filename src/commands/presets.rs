@@ -9,12 +9,11 @@ use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::optics::ship::{Attempt, Outcome, fly};
 use lightfall_core::scene::Scene;
-use lightfall_core::scene::journey;
 use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::presets::{self, PRESETS, Preset};
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
-use lightfall_platform::storage::Opened;
+use lightfall_platform::storage::{Opened, SourceError};
 use lightfall_render::cost_report;
 use std::ffi::OsStr;
 use std::io::Write;
@@ -64,36 +63,34 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
 
 /// Checks that a preset can be read and its scene traced, or that a mission or a journey can be flown.
 fn check(given: &OsStr) -> Result<String, Stop> {
-    if let Some(answer) = check_journey(given)? {
-        return Ok(answer);
+    if storage::is_journey(given) {
+        return check_journey(given);
     }
     match storage::open_by_name("presets check", given, &[])? {
         Opened::Scene(scene) => check_preset(given, &scene),
         Opened::Mission(mission) => check_mission(given, &mission),
+        Opened::Journey(_) => check_journey(given),
     }
 }
 
-/// What a journey file says, if the name is that of one or of a built-in lesson: it can be read, and
-/// flown in its preset, with what its stops switch.
-fn check_journey(preset: &OsStr) -> Result<Option<String>, Stop> {
+/// What a journey says, by its file or its name: it can be read, and flown in its preset, with what its
+/// stops switch.
+///
+/// # Errors
+/// All faults of its text, each in a line; or a place that it does not lead to.
+fn check_journey(preset: &OsStr) -> Result<String, Stop> {
     let path = Path::new(preset);
-    let given = preset.to_str().filter(|_| !storage::exists(path));
-    let is_built_in = given.is_some_and(|name| journey::built_in(name).is_some());
-    let is_preset = given.is_some_and(|name| presets::find(name).is_some());
-    if is_preset || !is_built_in && !storage::is_journey_file(path) {
-        return Ok(None);
-    }
     // The scene in which the window flies it, unless another one is shown there.
     let stage = |stage: Option<&'static Preset>| {
         stage
             .unwrap_or(&PRESETS[presets::DEFAULT - 1])
             .plain_scene()
     };
-    let named = match given.and_then(journey::built_in) {
-        Some(lesson) => lesson.preset,
-        None => storage::journey_by_name(path)?.preset,
-    };
-    let scene = stage(named);
+    let read = storage::journey_by_name(path).map_err(|error| match error {
+        SourceError::Journey(error) => Stop::refused(error.sentences().join("\n")),
+        error => error.into(),
+    })?;
+    let scene = stage(read.preset);
     let journey = storage::read_journey(Some(path), scene)?;
     let name = preset.display();
     note_idle_journey(path, &journey, scene);
@@ -103,7 +100,7 @@ fn check_journey(preset: &OsStr) -> Result<Option<String>, Stop> {
         0 => format!("a journey of {seconds} s"),
         stops => format!("a journey of {seconds} s with {}", counted(stops, "stop")),
     };
-    Ok(Some(format!("{name}: ok, {what}\n")))
+    Ok(format!("{name}: ok, {what}\n"))
 }
 
 fn check_preset(preset: &OsStr, scene: &Scene) -> Result<String, Stop> {

@@ -6,7 +6,7 @@ use lightfall_platform::storage::SourceError;
 use std::error::Error;
 use std::fmt::{Display, Formatter};
 
-/// Why a command stops: an exit status and one sentence.
+/// Why a command stops: an exit status and one sentence, or one in each line for the faults of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stop {
     /// Exit status: 2 for a bad command line, preset, journey or file of rays, 130 for an

@@ -105,3 +105,57 @@ fn a_handout_has_no_colours_and_no_faint_lines() {
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
 }
+
+/// No value of the left column reaches into the right one, whatever the font: digits of Helvetica and Arial
+/// are 0.556 of the text's size wide, and few letters are wider.
+#[test]
+fn the_numbers_of_a_handout_stay_in_their_columns() {
+    let scene = scene();
+    for direction in [[-0.979337, -0.03, -0.2], [-0.979337, -0.03, 0.2]] {
+        let inspected = ray(&scene, direction);
+        let svg = plane_handout(&scene, &[inspected], Units::Hole).unwrap();
+        let document = Document::parse(&svg).unwrap();
+        let page = document.root_element().children();
+        let texts: Vec<(f64, f64, &str)> = page
+            .filter(|node| node.has_tag_name("text"))
+            .map(|node| {
+                let size = |name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap();
+                (size("x"), size("font-size"), node.text().unwrap())
+            })
+            .collect();
+        let mut columns: Vec<f64> = texts.iter().map(|(x, ..)| *x).collect();
+        columns.sort_by(f64::total_cmp);
+        columns.dedup();
+        let [margin, left, right, _] = columns[..] else {
+            panic!("{columns:?}")
+        };
+        assert!(margin < left);
+        let values = texts.iter().filter(|(x, ..)| *x == left);
+        let mut count = 0;
+        for (x, size, text) in values {
+            let end = x + 0.556 * size * text.chars().count() as f64;
+            assert!(end < right, "{text}: {end} {right}");
+            count += 1;
+        }
+        assert!(count > 3, "{texts:?}");
+        assert!(texts.iter().any(|(.., text)| text.contains(" K")));
+    }
+}
+
+#[test]
+fn a_radial_ray_is_not_turned_at_all() {
+    let mut scene = scene();
+    scene.disk.enabled = false;
+    scene.title.clear();
+    for r in [1.5, 20.0] {
+        scene.camera.r = r;
+        let outward = ray(&scene, [1.0, 0.0, 0.0]);
+        let svg = plane_handout(&scene, &[outward], Units::Hole).unwrap();
+        let texts = texts(&svg);
+        assert!(
+            texts.iter().any(|text| text.contains("turned by 0°.")),
+            "{texts:?}"
+        );
+        assert!(texts.iter().all(|text| !text.contains("e-")), "{texts:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! The player of a journey with stops: it waits, goes on and back, and puts back what stops switch.
 
-use lightfall::app::{FlightStep, JourneyPlayer};
-use lightfall_core::scene::journey::load;
+use lightfall::app::{FlightStep, JourneyPlayer, LessonAnswer, NotedAnswer, next_lesson};
+use lightfall_core::scene::journey::{self, FLIGHTS, LESSONS, load};
 use lightfall_core::scene::{Scene, presets};
 
 const LESSON: &str = "[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\
@@ -146,4 +146,126 @@ fn a_lesson_that_was_left_at_a_stop_goes_on_there_and_switches_again() {
         .unwrap(),
     );
     assert!(!player.is_playing() && player.time() == 0.0 && player.begins_anew(&scene()));
+}
+
+/// A lesson that compares, and one that has switched the disk off before.
+const COMPARES: &str = "preset = \"above\"\n[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\
+    [[stop]]\nat = 0\neffects.beaming = false\nside_by_side = true\n";
+const DARK: &str = "[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\
+    [[stop]]\nat = 0\ndisk.enabled = false\n";
+
+/// The scene beside the present one at the stop at which a lesson waits.
+fn beside(player: &JourneyPlayer) -> Scene {
+    let stops = player.shown_stops().unwrap().stops;
+    let switches = player.journey().switches_of(stops);
+    player.beside(&switches).unwrap()
+}
+
+#[test]
+fn a_lesson_chosen_while_another_one_waits_is_compared_with_its_own_scene() {
+    let mut player = JourneyPlayer::new(load("dark.toml", DARK).unwrap());
+    player.rewind(&scene());
+    player.restart();
+    let dark = after(&mut player, &scene(), 3).unwrap();
+    assert!(player.rests() && !dark.disk.enabled);
+    // As the menu does it: what was switched is put back, and the next lesson begins in the same frame.
+    let home = player.unswitched(dark).unwrap();
+    player.take(load("compares.toml", COMPARES).unwrap());
+    player.rewind(&scene());
+    player.restart();
+    let compared = after(&mut player, &home, 3).unwrap();
+    assert!(player.rests() && !compared.effects.beaming);
+    let beside = beside(&player);
+    assert!(beside.disk.enabled && beside.effects.beaming);
+}
+
+#[test]
+fn a_lesson_that_begins_again_in_its_own_preset_is_compared_with_it() {
+    let close = presets::find("close").unwrap().plain_scene().clone();
+    let mut player = JourneyPlayer::new(load("compares.toml", COMPARES).unwrap());
+    player.rewind(&close);
+    player.restart();
+    after(&mut player, &close, 3).unwrap();
+    assert_eq!(beside(&player).name, "close");
+    // Enter puts the preset that the lesson names in place, without a frame in between.
+    player.rewind(&scene());
+    player.restart();
+    after(&mut player, &scene(), 3).unwrap();
+    assert_eq!(beside(&player).name, "above");
+}
+
+/// A lesson with a question at its second and its third stop.
+const ASKS: &str = "[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 2\nr = 10\n[[stop]]\nat = 0\n\
+    [[stop]]\nat = 1\nquestion = { text = \"a\", answer = 1, tolerance = 0.1 }\n\
+    [[stop]]\nat = 2\nquestion = { text = \"b\", answer = 2, tolerance = 0.1 }\n";
+
+#[test]
+fn the_tries_at_each_question_are_counted_until_the_lesson_begins_anew() {
+    let mut player = JourneyPlayer::new(load("asks.toml", ASKS).unwrap());
+    player.rewind(&scene());
+    player.restart();
+    let first = after(&mut player, &scene(), 3).unwrap();
+    assert_eq!(player.note_answer(true), None, "nothing is asked here");
+    assert_eq!(player.score(), None, "nobody has answered");
+    player.go_on(&first);
+    let second = after(&mut player, &first, 20).unwrap();
+    let noted = |question, tries| Some(NotedAnswer { question, tries });
+    assert_eq!(player.note_answer(false), noted(1, 1));
+    assert_eq!(player.note_answer(true), noted(1, 2));
+    assert_eq!(player.note_answer(true), None, "it was right before");
+    let score = |player: &JourneyPlayer| player.score().unwrap();
+    assert_eq!(
+        score(&player),
+        "0 of 2 questions right at once, 1 after more tries."
+    );
+    player.go_on(&second);
+    after(&mut player, &second, 20).unwrap();
+    assert_eq!(player.note_answer(true), noted(2, 1));
+    assert_eq!(
+        score(&player),
+        "1 of 2 questions right at once, 1 after more tries."
+    );
+    player.restart();
+    assert_eq!(player.score(), None);
+}
+
+#[test]
+fn answers_are_rows_of_a_file_and_titles_with_commas_are_one_cell() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("new folder").join("lesson-results.csv");
+    let answer = LessonAnswer {
+        lesson: "Heavy, \"dark\" matter".into(),
+        question: 1,
+        answer: 0.0625,
+        is_right: true,
+        tries: 2,
+    };
+    answer.keep(&file).unwrap();
+    let wrong = LessonAnswer {
+        lesson: "Light".into(),
+        answer: 6.6e-12,
+        is_right: false,
+        ..answer
+    };
+    wrong.keep(&file).unwrap();
+    assert_eq!(
+        std::fs::read_to_string(&file).unwrap(),
+        "lesson,question,answer,is_right,tries\n\"Heavy, \"\"dark\"\" matter\",1,0.0625,true,2\nLight,1,6.6e-12,false,2\n"
+    );
+}
+
+#[test]
+fn after_a_lesson_comes_the_next_one_that_has_stops() {
+    let list: Vec<_> = LESSONS
+        .iter()
+        .chain(&FLIGHTS)
+        .map(|(name, text)| journey::load(name, text).unwrap())
+        .collect();
+    let next = |title: &str| next_lesson(&list, title).map(|lesson| lesson.title.clone());
+    for pair in list[..LESSONS.len()].windows(2) {
+        assert_eq!(next(&pair[0].title), Some(pair[1].title.clone()));
+    }
+    // A flight is no lesson, and an unknown title has no place in the list.
+    assert_eq!(next(&list[LESSONS.len() - 1].title), None);
+    assert_eq!(next("mine"), None);
 }

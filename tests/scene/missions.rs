@@ -11,6 +11,7 @@ use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::{self, LESSONS};
 use lightfall_core::scene::mission::{self, MISSIONS, MissionKey, Quantity};
 
 /// A frame of a slow machine.
@@ -356,17 +357,22 @@ fn what_a_mission_names_is_shown_in_the_smallest_window() {
 
 /// A name in braces stands for a key.
 #[test]
-fn captions_name_controls_that_exist() {
+fn texts_of_missions_and_lessons_name_controls_that_exist() {
+    let check = |name: &str, text: &str| {
+        for part in text.split('{').skip(1) {
+            let (id, _) = part
+                .split_once('}')
+                .unwrap_or_else(|| panic!("{name}: {text}"));
+            assert!(control_named(id).is_some(), "{name}: {id}");
+        }
+    };
     for (name, text) in MISSIONS {
         let mission = mission::load(name, text).unwrap();
-        for text in mission.texts() {
-            for part in text.split('{').skip(1) {
-                let (id, _) = part
-                    .split_once('}')
-                    .unwrap_or_else(|| panic!("{name}: {text}"));
-                assert!(control_named(id).is_some(), "{name}: {id}");
-            }
-        }
+        mission.texts().iter().for_each(|text| check(name, text));
+    }
+    for (name, text) in LESSONS {
+        let lesson = journey::load(name, text).unwrap();
+        lesson.texts().iter().for_each(|text| check(name, text));
     }
 }
 
@@ -495,6 +501,24 @@ fn the_nearest_miss_is_the_failed_attempt_with_the_most_of_its_par() {
     };
     assert_eq!(nearest(Quantity::RapidityUsed), Some(0.98));
     assert_eq!(nearest(Quantity::LifeInside), None);
+}
+
+/// A table for a class has no digits of rounding.
+#[test]
+fn the_numbers_of_a_result_are_short_and_small_ones_have_an_exponent() {
+    let row = MissionResult {
+        own_time: 0.1 + 0.2,
+        peak_tide: 5.0519e-13 * 1.000_000_000_001,
+        ..result("graze", true, 3, 1.0 / 3.0)
+    }
+    .row();
+    let cells: Vec<&str> = row.split(',').collect();
+    assert_eq!(cells[4..7], ["0.3", "", "0.3333333333"], "{row}");
+    assert_eq!(
+        cells[9..13],
+        ["9.5", "5.0519e-13", "5.99", "3.5e-14"],
+        "{row}"
+    );
 }
 
 #[test]

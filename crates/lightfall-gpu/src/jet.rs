@@ -7,7 +7,7 @@ use glam::{Vec2, Vec4};
 use lightfall_model::geometry::quadrature::gauss_legendre;
 use lightfall_model::scene::Scene;
 use lightfall_optics::medium::jet::{
-    AXIS, FILAMENTS, Jet, KINDS, KNOTS, Knots, RIPPLES, TRAVEL, WAVES, Wave,
+    AXIS, Jet, KINDS, KNOTS, Knots, SHEATH_KNOTS, STRANDS, TRAVEL, WAVES, Wave,
 };
 use lightfall_optics::photometry::DISK_HDR_SCALE;
 use lightfall_optics::synchrotron;
@@ -66,9 +66,9 @@ pub struct GpuPatterns {
     pub start: f32,
     pub per_ln_r: f32,
     pub axis: f32,
-    pub filaments: f32,
+    pub strands: f32,
     pub knots: f32,
-    pub ripples: f32,
+    pub sheath_knots: f32,
     pub travel: [Vec4; TRAVEL_ROWS],
     pub waves: [GpuJetWaves; WAVE_ROWS],
 }
@@ -132,9 +132,9 @@ impl GpuPatterns {
             start: knots.travel.start as f32,
             per_ln_r: (1.0 / knots.travel.spacing) as f32,
             axis: AXIS as f32,
-            filaments: (FILAMENTS * knots.spread) as f32,
+            strands: (STRANDS * knots.spread) as f32,
             knots: (KNOTS * knots.spread) as f32,
-            ripples: (RIPPLES * knots.spread) as f32,
+            sheath_knots: (SHEATH_KNOTS * knots.spread) as f32,
             travel: std::array::from_fn(row),
             waves: std::array::from_fn(|i| {
                 let waves: [Wave; 4] = std::array::from_fn(|lane| knots.waves[4 * i + lane]);
@@ -205,9 +205,7 @@ pub(super) fn add_constants(prelude: &mut String, nodes: u32, knots: bool) {
     if knots {
         add_u32(prelude, "JET_TRAVEL_ROWS", TRAVEL_ROWS as u32);
         add_u32(prelude, "JET_WAVE_ROWS", WAVE_ROWS as u32);
-        // Rows of filaments come first, then those of knots.
-        let [filaments, knots, _] = KINDS.map(|waves| waves as u32 / 4);
-        add_u32(prelude, "JET_FILAMENT_ROWS", filaments);
-        add_u32(prelude, "JET_KNOT_ROWS", filaments + knots);
+        // Rows of strands come first, then those of knots.
+        add_u32(prelude, "JET_STRAND_ROWS", KINDS[0] as u32 / 4);
     }
 }

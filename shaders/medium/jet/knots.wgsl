@@ -1,4 +1,4 @@
-// Filaments and knots of the jets: waves that travel with the matter. The twin in f64, which has the
+// Strands and knots of the jets: waves that travel with the matter. The twin in f64, which has the
 // equations, is optics/medium/jet/knots.rs.
 //
 // Gives: Patterns, jet_factor.
@@ -22,11 +22,11 @@ struct Patterns {
     per_ln_r: f32,
     // The square of the place across the jet within which waves about the axis vanish.
     axis: f32,
-    // How sharp filaments are, the standard deviation of the logarithm of the knots' emission, and that of
-    // the place of the sheath.
-    filaments: f32,
+    // Standard deviations of the logarithm of the emission: by strands, by knots in the spine, and by knots
+    // in the sheath.
+    strands: f32,
     knots: f32,
-    ripples: f32,
+    sheath_knots: f32,
     // The time of a pattern's way from the base and its turn about the axis, in turns; two entries in a row.
     travel: array<vec4<f32>, JET_TRAVEL_ROWS>,
     waves: array<JetWaves, JET_WAVE_ROWS>,
@@ -48,6 +48,23 @@ fn cos_turns(turns: vec4<f32>) -> vec4<f32> {
     let y = s * s;
     let half = (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
     return 2.0 * half * half - 1.0;
+}
+
+// exp(sigma f) over its mean, where `sums` has the value of the field f and the sums of its amplitudes'
+// squares and fourth powers.
+fn wave_factor(sums: vec3<f32>, sigma: f32) -> f32 {
+    let sigma2 = sigma * sigma;
+    return exp(sigma * sums.x - 0.25 * sigma2 * (sums.y - 0.0625 * sigma2 * sums.z));
+}
+
+// The brightness of the spine, which a pixel spreads over its own width. Of the pixel's sides, `right` and
+// `below`, the azimuth and the place across the jet are in the unit of the filter's exponents.
+fn spread_spine(x: f32, right: vec4<f32>, below: vec4<f32>) -> f32 {
+    let sides = vec4<f32>(right.w, below.w, x * (2.0 * PI) * right.y, x * (2.0 * PI) * below.y);
+    // The variance across the jet, twice: the exponents have 2 pi^2 / ln 2 of it.
+    let spread = dot(sides, sides) * (0.6931472 / (PI * PI));
+    let widening = 1.0 + spread * jet.inverse_spine_width2;
+    return jet.spine * inverseSqrt(widening) * exp(-x * x * jet.inverse_spine_width2 / widening);
 }
 
 fn travel_entry(place: u32) -> vec2<f32> {
@@ -79,9 +96,9 @@ fn jet_factor(way: Way, share: f32, part: f32, r: f32, stream: f32, y: vec4<f32>
     let below = scale * pattern_change(vec4<f32>(deviation_at(way.neighbours.below, share, y, u, change.xyz), 0.0), travel_rate, across_rate);
 
     let off_axis = 0.5 * log2(max(stream, 1e-12) / (stream + jet.patterns.axis));
-    // Of each kind of waves the value, and the sums of the amplitudes' squares and fourth powers.
-    var sums = array<vec3<f32>, 3>();
-    var kind = 0u;
+    // Of strands and of knots the value, and the sums of the amplitudes' squares and fourth powers.
+    var strands = vec3<f32>(0.0);
+    var knots = vec3<f32>(0.0);
     for (var i = 0u; i < JET_WAVE_ROWS; i++) {
         let wave = jet.patterns.waves[i];
         let first = along.x * wave.frequency + along.y * wave.about + along.z * wave.along + along.w * wave.across;
@@ -92,15 +109,13 @@ fn jet_factor(way: Way, share: f32, part: f32, r: f32, stream: f32, y: vec4<f32>
         let phases = select(wave.phases_above, wave.phases_below, y.y < 0.0);
         let phase = phases + elapsed * wave.frequency + turns * wave.about + ln_r * wave.along + x * wave.across;
         let power = amplitude * amplitude;
-        kind = select(select(2u, 1u, i < JET_KNOT_ROWS), 0u, i < JET_FILAMENT_ROWS);
-        sums[kind] += vec3<f32>(dot(amplitude, cos_turns(phase)), dot(power, vec4<f32>(1.0)), dot(power, power));
+        let sums = vec3<f32>(dot(amplitude, cos_turns(phase)), dot(power, vec4<f32>(1.0)), dot(power, power));
+        let is_strand = i < JET_STRAND_ROWS;
+        strands += select(vec3<f32>(0.0), sums, is_strand);
+        knots += select(sums, vec3<f32>(0.0), is_strand);
     }
-    // A part of the filaments' field that the filter or the axis has taken is spread about the rest.
-    let width = 1.0 + 2.0 * jet.patterns.filaments * max(1.0 - 0.5 * sums[0].y, 0.0);
-    let sharpness = jet.patterns.filaments / width;
-    let filaments = sqrt((1.0 + 2.0 * jet.patterns.filaments) / width) * exp(-sharpness * sums[0].x * sums[0].x);
-    let sigma2 = jet.patterns.knots * jet.patterns.knots;
-    let knots = exp(jet.patterns.knots * sums[1].x - 0.25 * sigma2 * (sums[1].y - 0.0625 * sigma2 * sums[1].z));
-    let moved = jet.patterns.ripples * sums[2].x;
-    return filaments * knots * jet_across(x - moved, stream) / jet_across(x, stream);
+    let in_sheath = wave_factor(strands, jet.patterns.strands) * wave_factor(knots, jet.patterns.sheath_knots);
+    let parts = jet_across(stream);
+    let spine = spread_spine(x, right, below) * wave_factor(knots, jet.patterns.knots);
+    return (parts.x * in_sheath + spine) / (parts.x + parts.y);
 }

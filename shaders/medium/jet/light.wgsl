@@ -1,5 +1,5 @@
-// The light of jets along a part of a step. The part is divided at the inner sides of the sheath and at the
-// place nearest to the axis, and each of the four pieces has Gauss-Legendre nodes. Jets let all light through.
+// The light of jets along a part of a step. The part is divided at the sides of the spine and at the place
+// nearest to the axis, and each of the four pieces has Gauss-Legendre nodes. Jets let all light through.
 //
 // Gives: MAX_JET_SPANS, add_jet, spans_in_jets.
 
@@ -10,8 +10,8 @@ const JET_PLACES_OF_STEP: u32 = 9u;
 // Halvings of a boundary's interval, and steps of the search for the place nearest to the axis.
 const JET_HALVINGS: u32 = 10u;
 const JET_SEARCH: u32 = 8u;
-// The stream at the inner side of the sheath.
-const SHEATH_INSIDE: f32 = 0.2;
+// The stream at the sides of the spine.
+const SPINE_SIDE: f32 = 0.02;
 
 fn inside_jets_at(path: Curve, base: f32, share: f32) -> f32 {
     let y = curve_at(path, share);
@@ -55,16 +55,15 @@ fn stream_at(path: Curve, base: f32, share: f32) -> f32 {
     return jet_stream(1.0 / max(base + y.x, TINY), y);
 }
 
-// Where a ray passes from the sheath to its inside, between a place inside and one that may be in the
-// sheath.
-fn sheath_share(path: Curve, base: f32, inner: f32, outer: f32) -> f32 {
+// Where a ray leaves the spine, between a place inside and one that may be outside.
+fn spine_share(path: Curve, base: f32, inner: f32, outer: f32) -> f32 {
     var low = inner;
     var high = outer;
     for (var i = 0u; i < JET_HALVINGS; i++) {
         let middle = 0.5 * (low + high);
-        let hollow = stream_at(path, base, middle) < SHEATH_INSIDE;
-        low = select(low, middle, hollow);
-        high = select(middle, high, hollow);
+        let inside = stream_at(path, base, middle) < SPINE_SIDE;
+        low = select(low, middle, inside);
+        high = select(middle, high, inside);
     }
     return high;
 }
@@ -105,9 +104,9 @@ fn add_jet(result: ptr<function, Passage>, way: Way, orbit: KerrRay, photon: Pho
     }
     let nearest = 0.5 * (low + high);
     var ends = array<f32, 5>(span.x, nearest, nearest, nearest, span.y);
-    if stream_at(way.path, way.motion.base, nearest) < SHEATH_INSIDE {
-        ends[1] = sheath_share(way.path, way.motion.base, nearest, span.x);
-        ends[3] = sheath_share(way.path, way.motion.base, nearest, span.y);
+    if stream_at(way.path, way.motion.base, nearest) < SPINE_SIDE {
+        ends[1] = spine_share(way.path, way.motion.base, nearest, span.x);
+        ends[3] = spine_share(way.path, way.motion.base, nearest, span.y);
     }
     var nodes = JET_NODES;
     var light = vec3<f32>(0.0);

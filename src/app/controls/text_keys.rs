@@ -1,4 +1,4 @@
-//! The names of keys in sentences, and in texts of missions.
+//! The names of keys in sentences, and in texts of missions and lessons.
 
 use super::bindings::{Bindable, BindingTable, Bindings};
 use super::table::control_named;

@@ -7,7 +7,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::keyboard::undo_last_change;
 use crate::app::state::end_card::EndCard;
-use crate::app::state::lessons::StartJourney;
+use crate::app::state::lessons::{Lessons, StartJourney, next_lesson};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -177,7 +177,7 @@ pub(super) fn advance_journey(
     preferences: Res<Preferences>,
     bindings: Res<Bindings>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
-    mut end_card: ResMut<EndCard>,
+    (mut end_card, mut lessons): (ResMut<EndCard>, ResMut<Lessons>),
 ) {
     if !player.is_playing() {
         return;
@@ -209,9 +209,27 @@ pub(super) fn advance_journey(
             editor.fly(&next);
             let again = ("journey.again", "fly it again");
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
-            let [title, ending] = player.last_words();
-            end_card.show(title, ending, again, fall);
+            let [title, ending] = player.last_words().map(|text| bindings.with_keys(text));
+            end_card.show(&title, &ending, again, fall);
+            end_card.details = after_lesson(&player, &mut lessons);
         }
         FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
     }
+}
+
+/// What the card at the end of a lesson says besides: how its questions were answered, and what comes next.
+/// Empty for other journeys.
+fn after_lesson(player: &JourneyPlayer, lessons: &mut Lessons) -> String {
+    let journey = player.journey();
+    if journey.stops.is_empty() {
+        return String::new();
+    }
+    // One that the command line names comes before any list is read. The menu says what is wrong with files.
+    if lessons.0.is_empty() {
+        drop(lessons.read());
+    }
+    let next = next_lesson(&lessons.0, &journey.title);
+    let next = next.map(|lesson| format!("Next lesson, in the menu: {}", lesson.title));
+    let lines: Vec<String> = player.score().into_iter().chain(next).collect();
+    lines.join("\n")
 }

@@ -8,7 +8,6 @@ use crate::app::state::lessons::{AskedRay, LessonUnderWay};
 use crate::app::state::overlays::{Overlays, Side};
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
-use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::{InspectorView, SideBySide, Switches};
 use lightfall_render::{Comparison, ComparisonMode, Pinned};
 
@@ -24,8 +23,6 @@ struct Around {
     guides: bool,
     inspector: bool,
     comparison: Option<(Pinned, ComparisonMode)>,
-    /// The scene, whose fields are those of a side that stops compare with.
-    scene: Scene,
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -74,7 +71,6 @@ fn follow_stops(
         guides: overlays.guides,
         inspector: overlays.inspector,
         comparison: comparison.0.clone(),
-        scene: editor.scene(),
     });
     let switches = player.journey().switches_of(now.stops);
     overlays.guides = switches.guides.unwrap_or(before.guides);
@@ -98,10 +94,5 @@ fn compared(
         Some(SideBySide::Divided) => ComparisonMode::SideBySide { divider },
         Some(SideBySide::TwoPictures) => ComparisonMode::TwoPictures,
     };
-    let fields = switches.beside.as_ref()?;
-    let mut beside = before.scene.clone();
-    player
-        .journey()
-        .switch(fields, player.base().unwrap_or(&before.scene), &mut beside);
-    Some((Pinned::new(&beside), mode))
+    Some((Pinned::new(&player.beside(switches)?), mode))
 }

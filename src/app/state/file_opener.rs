@@ -1,5 +1,6 @@
-//! Opens what files hold: scenes, and missions.
+//! Opens what files hold: scenes, missions and journeys.
 
+use super::lessons::StartJourney;
 use super::missions::StartMission;
 use super::scene_editor::SceneEditor;
 use bevy::ecs::system::SystemParam;
@@ -7,11 +8,12 @@ use bevy::prelude::MessageWriter;
 use lightfall_platform::storage::{Opened, open_file};
 use std::path::Path;
 
-/// The scene, and the way to begin a mission.
+/// The scene, and the ways to begin a mission and a journey.
 #[derive(SystemParam)]
 pub(crate) struct FileOpener<'w> {
     pub(crate) editor: SceneEditor<'w>,
     starts: MessageWriter<'w, StartMission>,
+    flights: MessageWriter<'w, StartJourney>,
 }
 
 impl FileOpener<'_> {
@@ -21,12 +23,16 @@ impl FileOpener<'_> {
         self.show(file, opened)
     }
 
-    /// Shows the scene that a file holds, begins its mission, or says what is wrong with it. Returns
-    /// whether its scene is in place.
+    /// Shows the scene that a file holds, begins its mission or its journey, or says what is wrong with it.
+    /// Returns whether its scene is in place.
     pub(crate) fn show(&mut self, file: &Path, opened: Result<Opened, String>) -> bool {
         let scene = match opened {
             Ok(Opened::Mission(mission)) => {
                 self.starts.write(StartMission(mission));
+                return false;
+            }
+            Ok(Opened::Journey(journey)) => {
+                self.flights.write(StartJourney(journey));
                 return false;
             }
             Ok(Opened::Scene(scene)) => Ok(*scene),

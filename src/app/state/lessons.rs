@@ -54,6 +54,14 @@ impl Lessons {
     }
 }
 
+/// The lesson of a list that comes after the one with this title: the next journey that has stops.
+#[must_use]
+pub fn next_lesson<'a>(list: &'a [Journey], title: &str) -> Option<&'a Journey> {
+    let here = list.iter().position(|lesson| lesson.title == title)?;
+    let mut after = list[here + 1..].iter();
+    after.find(|lesson| !lesson.stops.is_empty() && !lesson.title.is_empty())
+}
+
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Lessons>()
         .init_resource::<LessonUnderWay>()

@@ -1,14 +1,11 @@
 //! What was reached in missions, as a file of comma-separated values: one row for each attempt that
 //! came to its end. A class can hand the file in.
 
+use super::result_file::{MAX_BYTES, cell, rewrite};
 use lightfall_core::scene::mission::Quantity;
-use lightfall_platform::storage::{self, TextError};
+use lightfall_platform::storage;
 use std::cmp::Ordering;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-
-/// Largest size of the file, in bytes.
-const MAX_BYTES: u64 = 8 << 20;
 
 /// The columns.
 const HEADER: &str = "mission,outcome,lamps,attempt,own_time,far_time,rapidity_used,par_quantity,par_reached,peak_g,\
@@ -53,24 +50,23 @@ impl MissionResult {
     /// The result as a row.
     #[must_use]
     pub fn row(&self) -> String {
-        let optional =
-            |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
+        let optional = |number: Option<f64>| number.map_or(String::new(), cell);
         let outcome = if self.reached { "reached" } else { "missed" };
         [
             self.mission.clone(),
             outcome.into(),
             self.lamps.to_string(),
             self.attempt.to_string(),
-            self.own_time.to_string(),
+            cell(self.own_time),
             optional(self.far_time),
-            self.rapidity_used.to_string(),
+            cell(self.rapidity_used),
             self.par
                 .map_or(String::new(), |(quantity, _)| quantity.word().into()),
             optional(self.par.map(|(_, value)| value)),
-            self.peak_g.to_string(),
-            self.peak_tide.to_string(),
-            self.lowest.to_string(),
-            self.error.to_string(),
+            cell(self.peak_g),
+            cell(self.peak_tide),
+            cell(self.lowest),
+            cell(self.error),
             optional(self.answer),
             self.is_right
                 .map_or(String::new(), |right| right.to_string()),
@@ -92,7 +88,8 @@ impl MissionResult {
             is_right: None,
             ..it.clone()
         };
-        unanswered(self) == unanswered(other)
+        // As rows, for those of the file are rounded.
+        unanswered(self).row() == unanswered(other).row()
     }
 
     /// The order of results whose goals were reached, the better one first.
@@ -248,33 +245,9 @@ impl MissionResults {
 
     /// Changes the lines of the file, if there is one.
     fn rewrite(&self, change: impl FnOnce(&mut Vec<String>)) -> Result<(), String> {
-        let Some(file) = &self.file else {
-            return Ok(());
-        };
-        let mut lines = existing_lines(file)?;
-        change(&mut lines);
-        let text = lines.join("\n") + "\n";
-        storage::create_parent_folder(file)
-            .and_then(|()| storage::write_atomically(file, text.as_bytes()))
-            .map_err(|error| error.to_string())
-    }
-}
-
-/// The lines of the file, or the header of a new one.
-fn existing_lines(file: &Path) -> Result<Vec<String>, String> {
-    match storage::read_text(file, MAX_BYTES) {
-        Ok(text) => {
-            let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-            // Rows of an earlier version have fewer cells at their end.
-            if let Some(first) = lines.first_mut().filter(|it| it.starts_with(HEADER_START)) {
-                *first = HEADER.into();
-            }
-            Ok(lines)
+        match &self.file {
+            Some(file) => rewrite(file, [HEADER, HEADER_START], change),
+            None => Ok(()),
         }
-        Err(TextError::Empty) => Ok(vec![HEADER.into()]),
-        Err(TextError::Unreadable(error)) if error.kind() == ErrorKind::NotFound => {
-            Ok(vec![HEADER.into()])
-        }
-        Err(fault) => Err(format!("{}: {fault}", file.display())),
     }
 }

@@ -86,7 +86,9 @@ impl Missions {
         let own = own_missions();
         let own = own.iter().map(|file| match open_file(file, &[]) {
             Ok(Opened::Mission(mission)) => Ok(*mission),
-            Ok(Opened::Scene(_)) => Err(format!("{}: has no table [[goal]]", file.display())),
+            Ok(Opened::Scene(_) | Opened::Journey(_)) => {
+                Err(format!("{}: has no table [[goal]]", file.display()))
+            }
             Err(fault) => Err(fault.to_string()),
         });
         let mut faults = Vec::new();

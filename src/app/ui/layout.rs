@@ -196,6 +196,13 @@ impl Layout {
         self.drawn.extend(inside);
     }
 
+    /// Whether a box covers a part of the hole that is kept free.
+    #[must_use]
+    pub fn covers_hole(&self, place: Rect) -> bool {
+        let mut holes = self.taken.iter().filter(|taken| taken.name == HOLE);
+        holes.any(|hole| hole.place.intersects(place))
+    }
+
     /// Whether a box lies within the bounds and covers nothing.
     #[must_use]
     pub fn is_free(&self, place: Rect) -> bool {

@@ -31,7 +31,7 @@ pub struct GpuArgs {
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
     /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a
-    /// picture drawn from one; without a command also a mission, by its name or file [default: 2]
+    /// picture drawn from one; without a command also a mission or a lesson, by its name or file [default: 2]
     #[arg(long, value_name = "N|NAME|PATH")]
     pub preset: Option<OsString>,
     /// Set one field of the preset, such as camera.r=20; may be repeated, and the last value counts
@@ -205,9 +205,10 @@ pub enum PresetsCommand {
         #[arg(long)]
         needs: bool,
     },
-    /// Check a preset or a mission
+    /// Check a preset, a mission, or a journey or lesson
     Check {
-        /// Number or name of a preset, name of a mission, a TOML file of either, or a picture that Lightfall drew
+        /// Number or name of a preset, name of a mission or of a lesson, a TOML file of one of them, or a picture that
+        /// Lightfall drew
         #[arg(value_name = "N|NAME|PATH")]
         preset: OsString,
     },

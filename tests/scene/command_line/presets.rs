@@ -6,6 +6,7 @@ use lightfall::commands;
 use lightfall::commands::cli::{Command, PresetsCommand, SceneArgs};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::presets::PRESETS;
+use lightfall_platform::storage::Opened;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -380,4 +381,58 @@ fn journeys_are_checked_by_name_and_path_and_one_whose_stop_cannot_be_drawn_is_r
     .unwrap_err();
     assert!(undrawable.starts_with("FILE: "), "{undrawable}");
     assert!(undrawable.contains("disk.outer"), "{undrawable}");
+}
+
+/// A lesson is recognized by its tables, as a mission is; what needs a preset says how a lesson is flown.
+#[test]
+fn lessons_open_like_missions_and_where_a_preset_is_needed_they_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    fs::copy("assets/journeys/shadow.toml", &file).unwrap();
+    for given in [Path::new("shadow"), file.as_path()] {
+        let opened = commands::opened(&of_preset(given)).unwrap();
+        let Opened::Journey(lesson) = opened else {
+            panic!("{opened:?}")
+        };
+        assert_eq!(lesson.title, "What is the shadow?");
+        let refused = commands::scene(&of_preset(given)).unwrap_err();
+        let given = given.display();
+        assert_eq!(
+            refused.to_string(),
+            format!(
+                "{given}: is a journey or a lesson and not a preset; `lightfall --journey {given}` flies it"
+            )
+        );
+    }
+    // A wrong one is named by its line, and not by fields of presets that have similar names.
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text.replacen("ending = ", "endig = ", 1)).unwrap();
+    let refused = commands::opened(&of_preset(&file)).unwrap_err().to_string();
+    let line = 1 + text
+        .lines()
+        .position(|line| line.starts_with("ending"))
+        .unwrap();
+    let start = format!("{}: line {line}: endig = ", file.display());
+    assert!(refused.starts_with(&start), "{refused}");
+}
+
+/// The check tells all faults of a lesson, each in a line.
+#[test]
+fn the_check_of_a_lesson_tells_all_of_its_faults() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let name = file.path().display().to_string();
+    let text = "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 2\n[[stop]]\nat = 0\nguides = \"on\"\n[[stop]]\nat = 3\n";
+    fs::write(&file, text).unwrap();
+    let check = PresetsCommand::Check {
+        preset: file.path().into(),
+    };
+    let refused = commands::presets(&check, &mut Vec::new()).unwrap_err();
+    assert_eq!(refused.status, 2);
+    let sentence = refused.to_string();
+    let lines: Vec<&str> = sentence.lines().collect();
+    assert_eq!(lines.len(), 2, "{sentence}");
+    for (line, (number, stop)) in lines.iter().zip([(7, 1), (9, 2)]) {
+        let start = format!("{name}: line {number}: stop {stop}: ");
+        assert!(line.starts_with(&start), "{line}");
+    }
 }

@@ -101,6 +101,8 @@ fn knots_are_those_of_the_twin() {
         scene.disk.enabled = disk;
         scene.disk.structure = structure;
         scene.disk.time = 1234.5;
+        // The disk beside them must not hide how much the knots change.
+        scene.jet.brightness = 6.0;
         scene.quality.max_error_light = 1e-4;
         let smooth = light(&scene, [48, 40], 1e-4);
         // Little enough for the nodes of a single ray, which has no filter.

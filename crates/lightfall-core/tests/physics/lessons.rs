@@ -139,8 +139,11 @@ fn the_numbers_of_the_lesson_about_the_shadow_are_those_of_the_reference() {
     };
     let [near, far] = [edge(2), edge(7)];
     let straight = (1.0_f64 / 20.0).asin();
-    // In a perspective picture the width of a disk in the middle goes with the tangent.
-    let wider = near.tan() / straight.tan();
+    let wider = near / straight;
+    // In a perspective picture the width of a disk in the middle goes with the tangent: the same to the
+    // digits of the caption.
+    let on_screen = near.tan() / straight.tan();
+    assert_eq!(format!("{wider:.1}"), format!("{on_screen:.1}"));
     let [passes, falls] = [lesson.ray(4), lesson.ray(5)];
     assert!(passes.trace.sky.is_some() && falls.trace.sky.is_none());
     lesson.states(1, &[]);
@@ -164,6 +167,8 @@ fn the_numbers_of_the_lesson_about_the_shadow_are_those_of_the_reference() {
     );
     lesson.states(6, &[]);
     lesson.states(7, &[far.to_degrees(), far.sin(), 60.0 * far.sin()]);
+    let views = [1, 7].map(|stop| lesson.scene(stop).camera.fov_deg);
+    assert_eq!(views, [40.0, 20.0]);
     let question = lesson.stop(7).question.clone().unwrap();
     assert!((2.0 * CRITICAL_IMPACT * 12.7 - question.answer).abs() < 0.01);
     lesson.ends();
@@ -200,7 +205,13 @@ fn the_numbers_of_the_lesson_about_the_bright_side_are_those_of_the_reference() 
         seen.g,
         formula(seen.r)
     );
-    lesson.states(7, &[1.5]);
+    // Gravity alone takes 1 of the 1.5, and the clock of a circular orbit the rest: its speed past one who
+    // hovers there is v^2 = 0.5/(r - 1), and (1 - 1/r) (1 - v^2) = 1 - 1.5/r.
+    let gravity = ((1.0 - 1.0 / left.r) / (1.0 - 1.0 / 20.0)).sqrt();
+    assert!((gravity - without[0]).abs() < 1e-6, "{gravity} {without:?}");
+    let moving = (1.0 - 0.5 / (left.r - 1.0)).sqrt();
+    assert!((gravity * moving - formula(left.r)).abs() < 1e-12);
+    lesson.states(7, &[1.5, 1.5, without[0], 0.5]);
     let question = lesson.stop(7).question.clone().unwrap();
     assert!((formula(6.0) - question.answer).abs() < 1e-4);
     lesson.ends();
@@ -235,7 +246,14 @@ fn the_numbers_of_the_lesson_about_two_clocks_are_those_of_the_reference() {
     lesson.states(5, &[1.01, own, home, 1.001, own_later, home_later]);
     lesson.states(6, &[six.1, left(six.0)]);
     assert!((six.0 - 1.0).abs() < 1e-12);
-    lesson.states(7, &[seven.0, seven.1, left(seven.0)]);
+    // One who falls from rest sees light of the sky from the angle psi to the hole with the shift
+    // g = 1/(1 - v cos psi), v = sqrt(1/r), also inside, where v is above 1.
+    let shift = |psi: f64| 1.0 / (1.0 - (1.0 / seven.0).sqrt() * psi.cos());
+    let edge = ApparentHole::new(&lesson.scene(7)).unwrap().radius;
+    let beside: f64 = edge + 0.05;
+    let ray = lesson.ray_toward(7, [-beside.cos(), beside.sin(), 0.0]);
+    assert!((ray.numbers.sky_g.unwrap() / shift(beside) - 1.0).abs() < 1e-6);
+    lesson.states(7, &[seven.0, seven.1, shift(edge), left(seven.0)]);
     let question = lesson.stop(6).question.clone().unwrap();
     let second = MASSES[0].seconds();
     assert!(question.text.contains(&format!("{second:.2} s")) && MASSES[0].suns == 4.3e6);

@@ -186,6 +186,11 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
         ),
         (
             "\"r <= 1.6\"",
+            "\"apoapsys <= 1.6\"",
+            ["names no quantity of a flight", "did you mean apoapsis?"],
+        ),
+        (
+            "\"r <= 1.6\"",
             "\"r = 1.6\"",
             ["is not a condition", "line"],
         ),

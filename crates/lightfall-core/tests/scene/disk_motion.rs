@@ -1,6 +1,7 @@
 //! The clock of a disk that moves: where it counts, how a moved camera changes it, and how journeys
 //! drive it.
 
+use crate::journey_faults::without_line;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::scene::journey::{self, Journey};
 use lightfall_core::scene::{DiskStructure, HotSpotKind, ObserverKind, Scene, View};
@@ -171,7 +172,7 @@ fn a_journey_through_the_horizon_neither_leaps_nor_runs_backward() {
 fn faults_of_a_journeys_clock_are_reported() {
     let fault = |line: &str| {
         let text = format!("[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n{line}");
-        journey::load("j.toml", &text).unwrap_err().to_string()
+        without_line(&journey::load("j.toml", &text).unwrap_err().to_string())
     };
     assert_eq!(
         fault("disk_rate = -1"),

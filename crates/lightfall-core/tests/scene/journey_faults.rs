@@ -8,10 +8,103 @@ fn preset() -> Scene {
     presets::find("above").unwrap().scene(&[]).unwrap()
 }
 
+/// A sentence about `j.toml` without the number of its line, which a test of its own checks.
+pub(crate) fn without_line(sentence: &str) -> String {
+    let located = sentence.strip_prefix("j.toml: line ");
+    match located.and_then(|rest| rest.split_once(": ")) {
+        Some((line, rest)) if line.parse::<u32>().is_ok() => format!("j.toml: {rest}"),
+        _ => sentence.to_owned(),
+    }
+}
+
+/// A text with one fault after the other.
+const FAULTY: &str = r#"[[keyframe]]
+time = 2
+r = 20
+[[keyframe]]
+time = 12
+r = "3"
+[[stop]]
+at = 7
+guides = "on"
+side_by_side = "both"
+[[stop]]
+at = 5
+effects.dopler = true
+question = { text = "How much?", answer = "0,8165" }
+[[stop]]
+caption = "When?"
+[[stop]]
+at = 13
+[[caption]]
+time = 3
+text = 7
+"#;
+
+#[test]
+fn every_fault_of_a_journey_is_told_with_its_line() {
+    let sentences = journey::load("j.toml", FAULTY).unwrap_err().sentences();
+    let expected = [
+        "line 6: keyframe 2: r = \"3\" is refused: it must be a number from 0.1 to 10000000 r_s",
+        "line 21: caption 1: text = 7 is refused: it must be one line of text",
+        "line 9: stop 1: guides = \"on\" is refused: it must be true or false",
+        "line 10: stop 1: side_by_side = \"both\" is refused: it must be true, false or",
+        "line 12: stop 2: at = 5 is refused: it must be above 7, the time of the stop before",
+        "line 13: stop 2: there is no effects.dopler; did you mean effects.doppler?",
+        "line 14: stop 2: question.answer = \"0,8165\" is refused: it must be a finite number",
+        "line 14: stop 2: question.tolerance is missing: it must be a finite number above 0",
+        "line 15: stop 3: at is missing: it must be a number of seconds from 2 to 12",
+        "line 18: stop 4: at = 13 is refused: it must be a number of seconds from 2 to 12, within the journey: the last \
+         [[keyframe]] must be as late as the last [[stop]]",
+    ];
+    assert_eq!(sentences.len(), expected.len(), "{sentences:#?}");
+    for (sentence, expected) in sentences.iter().zip(expected) {
+        let start = format!("j.toml: {expected}");
+        assert!(sentence.starts_with(&start), "{sentence}\n{start}");
+    }
+    let first = journey::load("j.toml", FAULTY).unwrap_err().to_string();
+    assert_eq!(first, sentences[0]);
+    // A garbled file is not answered by a page of sentences.
+    let many = "[[keyframe]]\nradius = 3\n".repeat(900);
+    let sentences = journey::load("j.toml", &many).unwrap_err().sentences();
+    assert_eq!(sentences.len(), 20);
+}
+
+#[test]
+fn the_line_of_a_keyframes_fault_is_that_of_its_key_also_in_its_table_for_rain() {
+    let frames = |second: &str| format!("[[keyframe]]\ntime = 0\n[[keyframe]]\n{second}");
+    for (second, start) in [
+        (
+            "time = 1\n\nradius = 3",
+            "line 6: keyframe 2: there is no radius",
+        ),
+        ("time = 1\nrain.r = -1", "line 5: keyframe 2: r = -1"),
+        (
+            "time = 1\nrain = { r = 2 }\nfov_deg = 0",
+            "line 6: keyframe 2: fov_deg = 0",
+        ),
+        ("rain.r = 2", "line 3: keyframe 2: time is missing"),
+        ("r = 2\ntime = 1\nrain.r = -1", "line 3: keyframe 2: r = -1"),
+    ] {
+        let sentence = journey::load("j.toml", &frames(second))
+            .unwrap_err()
+            .to_string();
+        assert!(
+            sentence.starts_with(&format!("j.toml: {start}")),
+            "{sentence}"
+        );
+    }
+    let top = journey::load("j.toml", "schema = 1\n\nspeed = 3").unwrap_err();
+    assert!(
+        top.to_string()
+            .starts_with("j.toml: line 3: speed = 3 is refused")
+    );
+}
+
 #[test]
 fn faults_of_a_journey_are_reported_with_their_keyframe() {
     let two = "[[keyframe]]\ntime = 0\n[[keyframe]]\n";
-    let fault = |text: &str| journey::load("j.toml", text).unwrap_err().to_string();
+    let fault = |text: &str| without_line(&journey::load("j.toml", text).unwrap_err().to_string());
     for (text, sentence) in [
         (String::new(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and this one has 0"),
         ("[[keyframe]]\ntime = 1".into(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and this one has 1"),
@@ -43,7 +136,7 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             two.into(),
-            "j.toml: keyframe 2: time = nothing is refused: it must be a number of seconds above 0, the time of the keyframe \
+            "j.toml: keyframe 2: time is missing: it must be a number of seconds above 0, the time of the keyframe \
              before",
         ),
         (
@@ -116,14 +209,13 @@ fn fault_of(text: &str, scene: &Scene, from: f64) -> Option<String> {
 fn faults_of_a_caption_are_reported_with_its_number_and_key() {
     let keyframes = "[[keyframe]]\ntime = 2\n[[keyframe]]\ntime = 12\n[[caption]]\n";
     let fault = |caption: &str| {
-        journey::load("j.toml", &format!("{keyframes}{caption}"))
-            .unwrap_err()
-            .to_string()
+        let fault = journey::load("j.toml", &format!("{keyframes}{caption}")).unwrap_err();
+        without_line(&fault.to_string())
     };
     for (caption, sentence) in [
         (
             "text = \"A\"".to_owned(),
-            "time = nothing is refused: it must be a number of seconds from 2 to 12, within the journey",
+            "time is missing: it must be a number of seconds from 2 to 12, within the journey",
         ),
         (
             "time = 1\ntext = \"A\"".into(),
@@ -139,7 +231,7 @@ fn faults_of_a_caption_are_reported_with_its_number_and_key() {
         ),
         (
             "time = 3".into(),
-            "text = nothing is refused: it must be one line of text, from 1 to 160 characters long",
+            "text is missing: it must be one line of text, from 1 to 160 characters long",
         ),
         (
             "time = 3\ntext = \"  \"".into(),
@@ -181,7 +273,7 @@ fn faults_of_a_caption_are_reported_with_its_number_and_key() {
         fault(&many),
         "j.toml: a journey has at most 1000 tables [[caption]], and this one has 1001"
     );
-    assert!(fault("").starts_with("j.toml: caption 1: time = nothing"));
+    assert!(fault("").starts_with("j.toml: caption 1: time is missing"));
 }
 
 #[test]

@@ -295,6 +295,17 @@ fn a_decimal_comma_leads_to_the_number_that_was_meant() {
 }
 
 #[test]
+fn a_word_that_is_no_toml_is_answered_by_what_to_write() {
+    for word in ["no", "yes", "off  # for now", "True"] {
+        let error = preset(&format!("[disk]\nenabled = {word}"));
+        assert!(error.contains("write true or false"), "{error}");
+    }
+    // Where something else is wrong, nothing is suggested.
+    let twice = preset("[disk]\nenabled = true\nenabled = true");
+    assert!(!twice.contains("write"), "{twice}");
+}
+
+#[test]
 fn a_preset_of_empty_tables_is_refused() {
     assert_eq!(
         preset("[camera]\n[disk]"),

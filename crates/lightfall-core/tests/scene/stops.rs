@@ -1,12 +1,13 @@
 //! The stops of journeys: how they are read, refused and written, and what they switch.
 
+use crate::journey_faults::without_line;
 use crate::random::Random;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{
     self, Draft, InspectorView, Journey, LESSONS, Shown, SideBySide, Unflyable, load,
 };
 use lightfall_core::scene::presets::{PRESETS, find};
-use lightfall_core::scene::{JudgedAnswer, ObserverKind, Scene, Value, View};
+use lightfall_core::scene::{JudgedAnswer, ObserverKind, Scene, Value, View, typed_number};
 
 const KEYFRAMES: &str = "[[keyframe]]\ntime = 2\nr = 20\n[[keyframe]]\ntime = 12\nr = 10\n";
 
@@ -68,13 +69,44 @@ fn a_stop_is_read_with_everything_that_it_may_have() {
 }
 
 #[test]
+fn answers_are_read_as_people_write_numbers() {
+    for (typed, unit, number) in [
+        ("6.25", "", 6.25),
+        (" 6,25 ", "", 6.25),
+        ("-1,5", "", -1.5),
+        ("\u{2212}1.5", "", -1.5),
+        ("6.6e7", "km", 6.6e7),
+        ("66 million km", "million km", 66.0),
+        ("66", "million km", 66.0),
+        ("6.25%", "", 0.0625),
+        ("6,25 %", "", 0.0625),
+        ("6.25 %", "%", 6.25),
+        ("1/16", "", 0.0625),
+        ("27 / 4", "", 6.75),
+        ("2,5/4", "r_s", 0.625),
+        ("75.4°", "", 75.4),
+        ("75,4 °", "degrees", 75.4),
+        ("75.4 degrees", "degrees", 75.4),
+        ("75.4°", "°", 75.4),
+    ] {
+        assert_eq!(typed_number(typed, unit), Some(number), "{typed}");
+    }
+    for typed in [
+        "", " ", "large", "1/0", "0/0", "1/2/3", "/", "1/", "%", "°", "inf", "nan", "1/inf",
+        "1 000", "1.234,5", "6.25 %%", "3 km",
+    ] {
+        assert_eq!(typed_number(typed, "r_s"), None, "{typed}");
+    }
+}
+
+#[test]
 fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_their_line() {
     let known = "a stop has at, caption, guides, side_by_side, inspector, question, and fields of the scene such as view \
         or effects.doppler";
     for (stop, sentence) in [
         (
             "",
-            "at = nothing is refused: it must be a number of seconds from 2 to 12, within the journey",
+            "at is missing: it must be a number of seconds from 2 to 12, within the journey",
         ),
         (
             "at = 13",
@@ -130,18 +162,22 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         ),
         (
             "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = -1 }",
-            "question.tolerance = -1 is refused: it must be a finite number, not negative",
+            "question.tolerance = -1 is refused: it must be a finite number above 0",
+        ),
+        (
+            "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = 0 }",
+            "question.tolerance = 0 is refused: it must be a finite number above 0",
         ),
         (
             "at = 5\nquestion = { answer = 1, tolerance = 1 }",
-            "question.text = nothing is refused: it must be one line of text, from 1 to 400 characters long",
+            "question.text is missing: it must be one line of text, from 1 to 400 characters long",
         ),
         (
             "at = 5\nquestion = { text = \"a\", answer = 1, tolerance = 1, hint = 2 }",
             "question.hint = 2 is refused: it must be one line of text, from 1 to 400 characters long",
         ),
     ] {
-        let said = fault(&format!("[[stop]]\n{stop}"));
+        let said = without_line(&fault(&format!("[[stop]]\n{stop}")));
         let number = 1 + stop.matches("[[stop]]").count();
         let start = format!("j.toml: stop {number}: {sentence}");
         assert!(said.starts_with(&start), "{said}\n{start}");
@@ -175,6 +211,14 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         assert!(said.starts_with(&start), "{said}\n{start}");
         assert!(said.ends_with(known), "{said}");
     }
+    let comma = fault(
+        "[[stop]]\nat = 5\nquestion = { text = \"Is v = 1,5?\", answer = 0,8165, tolerance = 0.1 }",
+    );
+    assert!(
+        comma.starts_with("j.toml: line 9, column ")
+            && comma.contains("(write 0.8165 with a point)"),
+        "{comma}"
+    );
     let many = "[[stop]]\nat = 5\n".repeat(201);
     assert_eq!(
         fault(&many),

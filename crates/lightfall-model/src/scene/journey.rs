@@ -17,6 +17,7 @@ mod key_line;
 mod keyframe;
 mod lessons;
 mod load;
+mod read_question;
 mod read_stop;
 mod save;
 mod stop;
@@ -38,7 +39,7 @@ use self::clock::Clock;
 use self::keyframe::Keyframe;
 use self::tracks::Tracks;
 use super::presets::Preset;
-use super::{Camera, ObserverKind, Scene};
+use super::{Camera, ObserverKind, Question, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_degrees;
 
@@ -106,7 +107,7 @@ impl Journey {
         for stop in &self.stops {
             texts.push(&stop.caption);
             let question = stop.question.iter();
-            texts.extend(question.flat_map(|question| [&question.text, &question.unit]));
+            texts.extend(question.flat_map(Question::texts));
         }
         texts
     }

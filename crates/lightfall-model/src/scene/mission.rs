@@ -81,7 +81,8 @@ impl Mission {
         texts.extend(self.fails.iter().map(|fail| &fail.text));
         texts.extend(self.captions.iter().map(|caption| &caption.text));
         texts.extend(self.hints.iter().map(|hint| &hint.text));
-        texts.extend(self.questions.iter().map(|question| &question.text));
+        let questions = self.questions.iter();
+        texts.extend(questions.flat_map(Question::texts));
         texts
     }
 }

@@ -58,7 +58,7 @@ pub use load::{Override, load};
 pub use matter::THICKNESS_PIVOT;
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use projection::Projection;
-pub use question::{JudgedAnswer, Question};
+pub use question::{JudgedAnswer, Question, typed_number};
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use step_policy::ArticleQuality;
 pub use tables::{

@@ -319,8 +319,8 @@ table! {
         speed: f64 = 1.5, Range::closed(0.1, 20.0), "c";
         /// Radius at which the jets have faded.
         length: f64 = 40.0, Range::closed(5.0, 200.0), "r_s";
-        /// How uneven the emission is: filaments along the streamlines, knots that move outward with
-        /// the matter, and ripples of the sheath. Smooth at 0.
+        /// How uneven the emission is: strands of the sheath, and knots that move outward along the
+        /// spine. Smooth at 0.
         knots: f64 = 1.0, Range::closed(0.0, 1.5), "";
         /// Frequency at which the spectrum of the matter at 10 r_s falls off, over that of green
         /// light, 540 THz: the matter is whiter near the hole, and reddens as it cools outward.

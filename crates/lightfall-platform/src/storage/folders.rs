@@ -27,6 +27,12 @@ pub fn lessons_folder() -> Option<PathBuf> {
     Some(settings_folder()?.join("lessons"))
 }
 
+/// The file of the answers to questions of lessons, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn lesson_results_file() -> Option<PathBuf> {
+    Some(settings_folder()?.join("lesson-results.csv"))
+}
+
 /// The file of the results of missions, or `None` on a system that has no folder for settings.
 #[must_use]
 pub fn mission_results_file() -> Option<PathBuf> {

@@ -24,12 +24,12 @@ pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
 pub use folders::{
-    lessons_folder, mission_results_file, missions_folder, preset_files, presets_folder,
-    settings_file,
+    lesson_results_file, lessons_folder, mission_results_file, missions_folder, preset_files,
+    presets_folder, settings_file,
 };
 pub use opened::{
-    Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
-    scene_by_name,
+    Opened, is_journey, open_by_name, open_contents, open_file, own_missions, own_presets,
+    read_scene, scene_by_name,
 };
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{

@@ -1,11 +1,13 @@
-//! Presets and missions, by name and from files.
+//! Presets, missions and journeys, by name and from files.
 
 use super::files::exists;
-use super::folders::{missions_folder, preset_files, presets_folder};
-use super::scene_source::{SourceError, contents, text_of_source};
+use super::folders::{lessons_folder, missions_folder, preset_files, presets_folder};
+use super::scene_source::{SourceError, contents, is_journey_file, text_of_source};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::ship::Attempt;
+use lightfall_core::scene::journey::{self, Journey, LESSONS};
 use lightfall_core::scene::mission::{self, MISSIONS, Mission};
+use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Override, Scene, load, nearest_name, presets};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -17,15 +19,25 @@ pub enum Opened {
     Scene(Box<Scene>),
     /// A mission that can be begun.
     Mission(Box<Mission>),
+    /// A journey, which may be a lesson.
+    Journey(Box<Journey>),
 }
 
 impl Opened {
-    /// The scene, and the mission that starts in it, if it is that of one.
+    /// The scene, and the mission that starts in it, if it is that of one. A journey's scene is the preset
+    /// that it names, or the default one.
     #[must_use]
     pub fn into_parts(self) -> (Scene, Option<Box<Mission>>) {
         match self {
             Self::Scene(scene) => (*scene, None),
             Self::Mission(mission) => (mission.scene().clone(), Some(mission)),
+            Self::Journey(journey) => {
+                let default = PRESETS[presets::DEFAULT - 1];
+                (
+                    journey.preset.unwrap_or(&default).plain_scene().clone(),
+                    None,
+                )
+            }
         }
     }
 
@@ -36,15 +48,19 @@ impl Opened {
             Self::Mission(_) => Err(SourceError::MissionAsPreset {
                 given: given.display().to_string(),
             }),
+            Self::Journey(_) => Err(SourceError::JourneyAsPreset {
+                given: given.display().to_string(),
+            }),
         }
     }
 }
 
-/// A built-in preset, by number or name; a built-in mission, by name; one of the user's own presets or
-/// missions, by name; or a file, by path. `asked` names the option or the command in errors.
+/// A built-in preset, by number or name; a built-in mission or lesson, by name; one of the user's own
+/// presets, missions or lessons, by name; or a file, by path. `asked` names the option or the command in
+/// errors.
 ///
 /// # Errors
-/// There is no such preset or mission, or it cannot be read or is wrong; or an override is wrong.
+/// There is none of them, or it cannot be read or is wrong; or an override is wrong.
 pub fn open_by_name(
     asked: &'static str,
     given: &OsStr,
@@ -57,10 +73,13 @@ pub fn open_by_name(
     if let Some(mission) = name.and_then(mission::built_in) {
         return begun(mission, &given.display().to_string(), overrides);
     }
+    if let Some(lesson) = name.and_then(journey::built_in) {
+        return Ok(Opened::Journey(Box::new(lesson)));
+    }
     let path = Path::new(given);
     let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
     if !looks_like_a_path && !exists(path) {
-        let mut own = own_presets().into_iter().chain(own_missions());
+        let mut own = own_files();
         let own = own.find(|file| file.file_stem() == Some(given));
         let own = own.ok_or_else(|| unknown(asked, given))?;
         return open_file(&own, overrides);
@@ -68,7 +87,27 @@ pub fn open_by_name(
     open_file(path, overrides)
 }
 
-/// The preset or the mission of a file, or the preset in a picture.
+/// Whether a name or a file is that of a journey, and of no preset and no mission: a built-in lesson, one
+/// of the user's own, or a file with the tables of a journey.
+#[must_use]
+pub fn is_journey(given: &OsStr) -> bool {
+    let name = given.to_str();
+    let is_preset = name.is_some_and(|name| presets::find(name).is_some());
+    let is_mission = || name.is_some_and(|name| mission::built_in(name).is_some());
+    if is_preset || is_mission() {
+        return false;
+    }
+    let path = Path::new(given);
+    if exists(path) {
+        return is_journey_file(path);
+    }
+    let is_own = |file: PathBuf| file.file_stem() == Some(given);
+    let is_own_preset = own_presets().into_iter().chain(own_missions()).any(is_own);
+    let is_built_in = name.is_some_and(|name| journey::built_in(name).is_some());
+    !is_own_preset && (is_built_in || is_journey_file(path))
+}
+
+/// The preset, the mission or the journey of a file, or the preset in a picture.
 ///
 /// # Errors
 /// The file cannot be read or is wrong, or an override is wrong.
@@ -90,6 +129,10 @@ pub fn open_contents(
     if mission::is_mission(&text) {
         return begun(mission::load(&origin, &text)?, &origin, overrides);
     }
+    if journey::is_journey(&text) {
+        let journey = journey::load(&origin, &text)?;
+        return Ok(Opened::Journey(Box::new(journey)));
+    }
     Ok(Opened::Scene(Box::new(load(&origin, &text, overrides)?)))
 }
 
@@ -110,7 +153,7 @@ fn begun(mission: Mission, origin: &str, overrides: &[Override]) -> Result<Opene
 /// As [`open_by_name`], where only a preset is of use.
 ///
 /// # Errors
-/// As those of [`open_by_name`], and a mission.
+/// As those of [`open_by_name`], and a mission or a journey.
 pub fn scene_by_name(
     asked: &'static str,
     given: &OsStr,
@@ -122,7 +165,7 @@ pub fn scene_by_name(
 /// As [`open_file`], where only a preset is of use.
 ///
 /// # Errors
-/// As those of [`open_file`], and a mission.
+/// As those of [`open_file`], and a mission or a journey.
 pub fn read_scene(path: &Path, overrides: &[Override]) -> Result<Scene, SourceError> {
     open_file(path, overrides)?.into_preset(path.as_os_str())
 }
@@ -139,6 +182,13 @@ pub fn own_missions() -> Vec<PathBuf> {
     files_of(missions_folder())
 }
 
+/// The user's own presets, missions and lessons.
+fn own_files() -> impl Iterator<Item = PathBuf> {
+    let lessons = files_of(lessons_folder());
+    let files = own_presets().into_iter().chain(own_missions());
+    files.chain(lessons)
+}
+
 fn files_of(folder: Option<PathBuf>) -> Vec<PathBuf> {
     folder
         .map(|folder| preset_files(&folder))
@@ -149,7 +199,8 @@ fn files_of(folder: Option<PathBuf>) -> Vec<PathBuf> {
 fn unknown(asked: &'static str, given: &OsStr) -> SourceError {
     let built_in = presets::PRESETS.iter().map(|preset| preset.name);
     let built_in = built_in.chain(MISSIONS.iter().map(|(name, _)| *name));
-    let own: Vec<PathBuf> = own_presets().into_iter().chain(own_missions()).collect();
+    let built_in = built_in.chain(LESSONS.iter().map(|(name, _)| *name));
+    let own: Vec<PathBuf> = own_files().collect();
     let own = own.iter().filter_map(|file| file.file_stem());
     let names: Vec<String> = built_in
         .map(str::to_owned)

@@ -56,6 +56,14 @@ pub enum SourceError {
         /// The mission's file or name.
         given: String,
     },
+    /// A journey where a preset is needed.
+    #[error(
+        "{given}: is a journey or a lesson and not a preset; `lightfall --journey {given}` flies it"
+    )]
+    JourneyAsPreset {
+        /// The journey's file or name.
+        given: String,
+    },
     /// The catalogue of stars is wrong.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),

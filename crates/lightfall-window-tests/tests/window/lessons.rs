@@ -115,6 +115,20 @@ fn a_lesson_is_played_by_keys_to_its_end_and_what_it_has_switched_is_put_back() 
     desktop.press("Return");
     let end = desktop.wait_for("the end card", |state| has_box(state, "end card"));
     assert!(end.journey.is_none() && !has_box(&end, "stop"));
+    assert!(
+        end.mentions("0 of 2 questions right at once, 1 after more tries.")
+            && end.mentions("Next lesson, in the menu: Falling in, and the two clocks")
+    );
+    let results = desktop.settings().with_file_name("lesson-results.csv");
+    let rows = std::fs::read_to_string(results).unwrap();
+    assert_eq!(
+        rows.lines().collect::<Vec<_>>(),
+        [
+            "lesson,question,answer,is_right,tries",
+            "Why is one side brighter?,2,888,false,1",
+            "Why is one side brighter?,2,0.889,true,2",
+        ]
+    );
     // The last picture stays until the card is closed.
     assert_eq!(end.scene["disk.structure"], "none");
     desktop.press("Escape");
@@ -253,5 +267,26 @@ fn a_lesson_made_by_keys_is_saved_and_plays_again() {
     assert!(!is_on(&played, "effects.doppler") && played.comparison == "side by side");
     let places = [&played, &second].map(|state| state.number("camera.r"));
     assert!((places[0] - places[1]).abs() < 1e-6, "{places:?}");
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
+}
+
+/// A lesson's file opens as a mission's does.
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_lesson_begins_from_the_command_lines_preset_and_from_a_dropped_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plain-lesson.toml");
+    std::fs::write(&file, PLAIN_LESSON).unwrap();
+    let desktop = Desktop::open_small(&["--preset", file.to_str().unwrap()]);
+    desktop.order(&Order::Step(STEP));
+    let first = wait_for_stop(&desktop, "1 of 2");
+    assert!(first.shows("First line.") && !is_on(&first, "effects.doppler"));
+    desktop.press("j");
+    desktop.wait_for("J leaves", |state| {
+        state.journey.is_none() && is_on(state, "effects.doppler")
+    });
+    desktop.order(&Order::Drop(file));
+    let dropped = wait_for_stop(&desktop, "1 of 2");
+    assert!(!is_on(&dropped, "effects.doppler"));
     assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }

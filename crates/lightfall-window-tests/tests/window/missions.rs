@@ -263,12 +263,16 @@ fn the_question_of_a_mission_is_answered_after_its_goals_and_the_answer_is_kept(
     for key in ["8", "0", "Return"] {
         desktop.press(key);
     }
-    desktop.wait_for("a wrong answer", |state| state.shows("It is not 80"));
+    desktop.wait_for("a wrong answer and the hint", |state| {
+        state.mentions("It is not 80. Compare the star")
+    });
     desktop.click("80");
     for key in ["BackSpace", "BackSpace", "7", "5", "period", "4", "Return"] {
         desktop.press(key);
     }
-    desktop.wait_for("the right answer", |state| state.shows("Right: it is 75.4"));
+    desktop.wait_for("the right answer", |state| {
+        state.shows("Right: it is 75.4 degrees")
+    });
     let results = desktop.settings().with_file_name("mission-results.csv");
     let rows = std::fs::read_to_string(results).unwrap();
     let last = rows.lines().last().unwrap();

@@ -1,11 +1,14 @@
 //! A journey and how far it has been flown: it starts, waits at its stops, stops, starts again, and ends
 //! when something else moves the camera.
 
+mod answers;
 mod stops;
 mod words;
 
+pub use answers::NotedAnswer;
 pub use stops::ShownStops;
 
+use self::answers::Tries;
 use super::flight_step::FlightStep;
 use crate::app::state::MAX_FRAME_SECONDS;
 use bevy::prelude::Resource;
@@ -13,6 +16,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{Journey, Unflyable, between};
 use lightfall_core::scene::presets::Preset;
 use lightfall_core::scene::{Camera, Scene};
+use std::collections::BTreeMap;
 
 /// Seconds in which the camera comes from where it is to where the journey is.
 const APPROACH: f64 = 4.0;
@@ -32,6 +36,8 @@ pub struct JourneyPlayer {
     home: Option<Scene>,
     /// The scene as it was before the stops of the last flight switched its fields.
     switched: Option<Scene>,
+    /// How the questions of its stops were answered since the beginning, by the stops' numbers.
+    answers: BTreeMap<usize, Tries>,
 }
 
 /// A journey under way.
@@ -47,6 +53,9 @@ struct Flight {
     last: Option<Camera>,
     /// How many stops have switched what is shown. None before the first frame.
     shown: Option<usize>,
+    /// The scene of the first frame, which stops compare with. It belongs to the flight, so that no
+    /// journey is compared with the scene of another one.
+    began: Option<Scene>,
 }
 
 impl Flight {
@@ -58,6 +67,7 @@ impl Flight {
             clock,
             last: None,
             shown: None,
+            began: None,
         }
     }
 }
@@ -74,14 +84,22 @@ impl JourneyPlayer {
             flights: 0,
             home: None,
             switched: None,
+            answers: BTreeMap::new(),
         }
+    }
+
+    /// Goes to the beginning of the journey, where nothing was flown and answered.
+    fn begin(&mut self) {
+        (self.time, self.left) = (0.0, 0);
+        self.answers.clear();
     }
 
     /// Takes another journey in place of this one. What this one has switched is still to be put back.
     pub fn take(&mut self, journey: Journey) {
         self.flight = None;
         self.journey = journey;
-        (self.time, self.left, self.home) = (0.0, 0, None);
+        self.home = None;
+        self.begin();
     }
 
     /// The journey.
@@ -115,7 +133,7 @@ impl JourneyPlayer {
 
     /// Returns to the beginning, in the scene that was `loaded`.
     pub fn rewind(&mut self, loaded: &Scene) {
-        (self.time, self.left) = (0.0, 0);
+        self.begin();
         self.home = Some(loaded.clone());
     }
 
@@ -170,7 +188,7 @@ impl JourneyPlayer {
     /// camera is. After the end, starts again from the beginning.
     pub fn start(&mut self, scene: &Scene) {
         if self.is_over() {
-            (self.time, self.left) = (0.0, 0);
+            self.begin();
         }
         self.flights += 1;
         self.flight = Some(Flight {
@@ -182,7 +200,7 @@ impl JourneyPlayer {
 
     /// Starts from the beginning, with the camera there at once.
     pub fn restart(&mut self) {
-        (self.time, self.left) = (0.0, 0);
+        self.begin();
         // In a scene of its own nothing is switched yet.
         if self.journey.preset.is_some() {
             self.switched = None;
@@ -238,6 +256,7 @@ impl JourneyPlayer {
         self.journey
             .drive_clock([flight.clock, self.time], &before, &mut next);
         (flight.clock, flight.last) = (self.time, Some(next.camera));
+        flight.began.get_or_insert_with(|| next.clone());
         let step = FlightStep::to(next, is_last && self.time >= self.journey.duration);
         if !matches!(step, FlightStep::Moved(_)) {
             self.flight = None;

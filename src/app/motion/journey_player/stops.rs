@@ -52,6 +52,19 @@ impl JourneyPlayer {
         })
     }
 
+    /// The scene that is shown beside the present one after these switches: the one in which this flight
+    /// began, with what the stops before the comparison had led to. None where nothing is compared, and
+    /// before the first frame.
+    #[must_use]
+    pub fn beside(&self, switches: &Switches) -> Option<Scene> {
+        let fields = switches.beside.as_ref()?;
+        let began = self.flight.as_ref()?.began.as_ref()?;
+        let mut beside = began.clone();
+        self.journey
+            .switch(fields, self.base().unwrap_or(began), &mut beside);
+        Some(beside)
+    }
+
     /// Goes ahead by `seconds`, or back by a negative number, within the journey and no farther than
     /// to the next stop. The next step shows that place at once.
     pub fn skip(&mut self, seconds: f64) {

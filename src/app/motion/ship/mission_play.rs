@@ -150,7 +150,7 @@ pub(super) fn start_missions(
         times.0.follow(Mission::clone(mission));
         let units = ship.units(&preferences.settings);
         *end_card = EndCard::new(
-            &mission.title,
+            &bindings.with_keys(&mission.title),
             &bindings.with_keys(&words::brief(mission, units)),
             words::first_keys(mission),
             Closes::Flying,
@@ -180,6 +180,7 @@ pub(super) fn watch_mission(
     let is_over = attempt.is_over();
     if play.note_goals(reached, is_over) {
         let goal = units.in_text(&attempt.mission.goals[reached - 1].text);
+        let goal = bindings.with_keys(&goal);
         editor.say(format!("Reached: {goal}"));
     }
     // Captions come after the card with the task.
@@ -228,7 +229,9 @@ pub(super) fn watch_mission(
         has_next: missions.next_after(&kept.mission).is_some(),
     };
     let mut card = words::end(&end, units);
+    card.title = bindings.with_keys(&card.title);
     card.text = bindings.with_keys(&card.text);
+    card.details = bindings.with_keys(&card.details);
     let question = attempt.mission.questions.first();
     match question.filter(|_| has_succeeded) {
         Some(question) => asked.ask(question.clone(), row, card),

@@ -2,7 +2,7 @@
 //! scale bar.
 
 use super::place::Placement;
-use super::style::{Style, meaning, name};
+use super::style::{Style, meaning, name, short_meaning};
 use crate::app::ui::layout::{Layout, Slide};
 use crate::app::ui::number;
 use crate::app::ui::screen::{show_placed, text_box};
@@ -37,7 +37,7 @@ pub(super) struct Tracing {
 enum Length {
     /// Names, meanings and notes.
     Full,
-    /// Meanings alone: the names stand beside the lines.
+    /// Meanings alone, with the name where a meaning is a mere length.
     Short,
 }
 
@@ -144,7 +144,10 @@ impl Key<'_> {
                     let name = RichText::new(name(guide, kerr)).size(SIZE);
                     ui.label(name.color(style.colour));
                 }
-                let meaning = meaning(guide, kerr, self.units);
+                let meaning = match length {
+                    Length::Full => meaning(guide, kerr, self.units),
+                    Length::Short => short_meaning(guide, kerr, self.units),
+                };
                 ui.label(RichText::new(meaning).size(SIZE).color(TEXT));
             });
         });

@@ -119,3 +119,12 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr, units: Units) -> String {
         Landmark::PhotonSphere => shells,
     }
 }
+
+/// What a guide marks, in a line of the key that has no names.
+pub(super) fn short_meaning(guide: &Guide, kerr: Kerr, units: Units) -> String {
+    let meaning = meaning(guide, kerr, units);
+    match guide.landmark {
+        Landmark::Horizon | Landmark::PhotonSphere => format!("{}: {meaning}", name(guide, kerr)),
+        _ => meaning,
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::board::{BRIGHT, Board, WARNING};
 use super::presence::Presence;
+use crate::app::controls::bindings::Bindings;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::paused::Paused;
 use crate::app::ui::layout::{Layout, Slide};
@@ -27,22 +28,23 @@ pub(super) fn show_journey(
     player: Res<JourneyPlayer>,
     paused: Res<Paused>,
     presence: Res<Presence>,
+    bindings: Res<Bindings>,
 ) {
     let Some((context, layout)) = screen.texts().filter(|_| player.is_playing()) else {
         return;
     };
     show_progress(context, layout, player.share() as f32);
-    show_words(context, layout, &player, &presence);
+    show_words((context, layout), &player, &presence, &bindings);
     if paused.0 {
         show_pause(context, layout);
     }
 }
 
 fn show_words(
-    context: &egui::Context,
-    layout: &mut Layout,
+    (context, layout): (&egui::Context, &mut Layout),
     player: &JourneyPlayer,
     presence: &Presence,
+    bindings: &Bindings,
 ) {
     let Some(words) = player.words() else {
         return;
@@ -56,7 +58,8 @@ fn show_words(
     } else {
         (CAPTION, layout.above_read_outs(TOAST))
     };
-    board.paint_text(layout, wish, (words.text, size, BRIGHT), MAX_WIDTH);
+    let text = bindings.with_keys(words.text);
+    board.paint_text(layout, wish, (&text, size, BRIGHT), MAX_WIDTH);
 }
 
 /// Shows a bar along the lower edge of the window: the share of the journey that has been flown.

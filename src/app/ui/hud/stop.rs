@@ -6,11 +6,14 @@ use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::helm::CommandSender;
-use crate::app::ui::layout::{Layout, Slide};
+use crate::app::state::lesson_results::LessonAnswer;
+use crate::app::state::toast::Toast;
+use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::{Screen, text_box};
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32, RichText, vec2};
-use lightfall_core::scene::Question;
+use lightfall_core::scene::{JudgedAnswer, Question};
+use lightfall_platform::storage::lesson_results_file;
 
 /// Name of the card, which is its egui area.
 const NAME: &str = "stop";
@@ -39,10 +42,10 @@ pub(super) struct Answer {
 
 pub(super) fn show_stop(
     mut screen: Screen,
-    player: Res<JourneyPlayer>,
+    mut player: ResMut<JourneyPlayer>,
     (bindings, pads, connected): (Res<Bindings>, Res<PadBindings>, Query<&Gamepad>),
     mut answer: Local<Answer>,
-    mut commands: CommandSender,
+    (mut commands, mut toast): (CommandSender, ResMut<Toast>),
 ) {
     let Some((stop, number)) = player.waits_at() else {
         return;
@@ -61,7 +64,7 @@ pub(super) fn show_stop(
     let head = format!("{number} of {}", journey.stops.len());
     let head = match journey.title.trim() {
         "" => head,
-        title => format!("{title} · {head}"),
+        title => format!("{} · {head}", bindings.with_keys(title)),
     };
     let with_pad = !connected.is_empty();
     let key = |key: &str, button: &str| match with_pad {
@@ -82,8 +85,13 @@ pub(super) fn show_stop(
         context.request_repaint();
     }
     let place = place_of(layout, size);
+    // One that hides the hole is smaller, but not as small as one that is too high.
+    if layout.covers_hole(place) && shown.is_some() && answer.size == 0 {
+        answer.size = 1;
+        context.request_repaint();
+    }
     layout.take(NAME, place);
-    let mut command = None;
+    let (mut command, mut judged) = (None, None);
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .constrain(false)
@@ -93,28 +101,53 @@ pub(super) fn show_stop(
             text_box(12.0, 8.0).show(ui, |ui| {
                 let size = SIZES[answer.size];
                 ui.spacing_mut().item_spacing.y = 0.35 * size;
-                ui.label(words(&head, SMALL * size, WARNING));
                 if !stop.caption.is_empty() {
-                    ui.label(words(&stop.caption, size, BRIGHT));
+                    ui.label(words(&bindings.with_keys(&stop.caption), size, BRIGHT));
                 }
-                if let Some(question) = &stop.question
-                    && ask(ui, question, &mut answer, size)
-                {
-                    command = Some(AppCommand::GoOn);
+                if let Some(question) = &stop.question {
+                    let asked = ask(ui, question, (&mut *answer, &*bindings), size);
+                    command = asked.goes_on.then_some(AppCommand::GoOn);
+                    judged = asked.judged;
                 }
-                command = command.or(show_ways(ui, keys, SMALL * size));
+                command = command.or(show_ways(ui, (keys, &head), SMALL * size));
             });
         });
     if let Some(command) = command {
         commands.send(command);
     }
+    if let Some(judged) = judged {
+        keep(&mut player, &judged, |fault| toast.say(fault));
+    }
 }
 
-/// The place of a card of this size: above the toast, and over the hole rather than nowhere.
+/// Notes an answer, and keeps it in the file of results, if there is one.
+fn keep(player: &mut JourneyPlayer, judged: &JudgedAnswer, say: impl FnOnce(String)) {
+    let Some(noted) = player.note_answer(judged.is_right) else {
+        return;
+    };
+    let answer = LessonAnswer {
+        lesson: player.journey().title.clone(),
+        question: noted.question,
+        answer: judged.number,
+        is_right: judged.is_right,
+        tries: noted.tries,
+    };
+    let kept = lesson_results_file().map(|file| answer.keep(&file));
+    if let Some(Err(fault)) = kept {
+        say(fault);
+    }
+}
+
+/// The place of a card of this size: above the toast and beside the hole, and otherwise as low over the hole
+/// as the read-outs allow.
 fn place_of(layout: &Layout, size: egui::Vec2) -> egui::Rect {
-    let wish = layout.above_read_outs(TOAST);
+    let beside_hole = Wish {
+        covers_hole: false,
+        ..layout.above_read_outs(TOAST)
+    };
+    let over_hole = layout.above_read_outs(0.0);
     let lowest = layout.at(Align2::CENTER_BOTTOM, Slide::Anywhere);
-    [wish, lowest.even_over_hole()]
+    [beside_hole, over_hole, lowest.even_over_hole()]
         .into_iter()
         .find_map(|wish| layout.wished(size, wish))
         .unwrap_or_else(|| Align2::CENTER_BOTTOM.align_size_within_rect(size, layout.bounds()))
@@ -124,39 +157,66 @@ fn words(text: &str, size: f32, colour: Color32) -> RichText {
     RichText::new(text).size(size).color(colour)
 }
 
-/// Asks the question and judges the answer. Returns whether the lesson goes on.
-fn ask(ui: &mut egui::Ui, question: &Question, answer: &mut Answer, size: f32) -> bool {
-    ui.label(words(&question.text, 0.9 * size, BRIGHT));
+/// What was done at a question.
+struct Asked {
+    /// Whether the lesson goes on.
+    goes_on: bool,
+    /// The answer that was given, if it is a number.
+    judged: Option<JudgedAnswer>,
+}
+
+/// Asks the question and judges the answer.
+fn ask(
+    ui: &mut egui::Ui,
+    question: &Question,
+    (answer, bindings): (&mut Answer, &Bindings),
+    size: f32,
+) -> Asked {
+    let text = bindings.with_keys(&question.text);
+    ui.label(words(&text, 0.9 * size, BRIGHT));
     let line = ui.horizontal(|ui| {
         let Answer {
             typed, is_right, ..
         } = answer;
         let used = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
-        ui.label(words(&answer.said, 0.9 * size, WARNING));
+        let said = bindings.with_keys(&answer.said);
+        ui.label(words(&said, 0.9 * size, WARNING));
         used
     });
     let (step, field) = line.inner;
+    let mut judged = None;
     if step == Step::Answers {
         match question.judge(&answer.typed) {
-            Ok(judged) => (answer.is_right, answer.said) = (judged.is_right, judged.said),
+            Ok(it) => {
+                (answer.is_right, answer.said) = (it.is_right, it.said.clone());
+                judged = Some(it);
+            }
             Err(fault) => answer.said = fault,
         }
         if !answer.is_right {
             field.request_focus();
         }
     }
-    step == Step::IsDone
+    Asked {
+        goes_on: step == Step::IsDone,
+        judged,
+    }
 }
 
-/// Shows the buttons that go on and back, with their keys. Returns what was clicked.
-fn show_ways(ui: &mut egui::Ui, keys: [String; 2], size: f32) -> Option<AppCommand> {
+/// Shows the buttons that go on and back, with their keys, and the title behind them. Returns what was
+/// clicked.
+fn show_ways(
+    ui: &mut egui::Ui,
+    (keys, title): ([String; 2], &str),
+    size: f32,
+) -> Option<AppCommand> {
     let [on, back] = keys;
     let ways = [
         ("Go on", on, AppCommand::GoOn),
         ("Back", back, AppCommand::GoBack),
     ];
     let mut clicked = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (name, key, command) in ways {
             if command == AppCommand::GoBack && key.is_empty() {
                 continue;
@@ -170,6 +230,7 @@ fn show_ways(ui: &mut egui::Ui, keys: [String; 2], size: f32) -> Option<AppComma
             ui.label(words(&key, size, QUIET));
             ui.add_space(8.0);
         }
+        ui.label(words(title, size, WARNING));
     });
     clicked
 }

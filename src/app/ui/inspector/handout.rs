@@ -20,9 +20,11 @@ const MARGIN: f32 = 16.0;
 const TEXT: f32 = 13.0;
 const LINE: f32 = 18.0;
 const LETTERS: usize = 96;
-/// Columns of numbers, and places of names and values in them, in points.
+/// Columns of numbers, the place of values in them, in points, and the letters that fit into a value's
+/// line: digits, the widest of the usual letters, take 0.556 of the text's size.
 const COLUMNS: usize = 2;
-const VALUE: f32 = 150.0;
+const VALUE: f32 = 130.0;
+const VALUE_LETTERS: usize = 26;
 
 /// The handout of these rays in their plane, as the inspector writes it where nothing else was chosen.
 /// None without a ray.
@@ -87,13 +89,16 @@ fn caption(scene: &Scene, first: &Inspected, viewpoint: Viewpoint, units: Units)
         said += " Grey: the disk.";
     }
     said += " Arrows point as the light goes, toward the camera.";
-    let mut lines = vec![String::new()];
-    for word in said.split_whitespace() {
-        let last = lines
-            .last_mut()
-            .filter(|line| line.len() + word.len() < LETTERS);
-        match last {
-            Some(line) if line.is_empty() => *line = word.to_owned(),
+    wrapped(&said, LETTERS)
+}
+
+/// A text in lines of so many letters at most, unless a word is longer.
+fn wrapped(text: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let length = word.chars().count();
+        let fits = |line: &&mut String| line.chars().count() + length < letters;
+        match lines.last_mut().filter(fits) {
             Some(line) => *line += &format!(" {word}"),
             None => lines.push(word.to_owned()),
         }
@@ -158,17 +163,30 @@ impl Page {
         self.y = place.bottom() + 0.3 * LINE;
     }
 
-    /// The numbers in columns, downward.
+    /// The numbers in columns, downward. A long value takes several lines of its column.
     fn add_numbers(&mut self, rows: &[(String, String)]) {
-        let (per_column, top) = (rows.len().div_ceil(COLUMNS).max(1), self.y);
+        let rows = rows
+            .iter()
+            .map(|(name, value)| (name.trim(), wrapped(value, VALUE_LETTERS)));
+        let rows: Vec<(&str, Vec<String>)> = rows.collect();
+        let lines: usize = rows.iter().map(|(_, value)| value.len()).sum();
+        let (per_column, top) = (lines.div_ceil(COLUMNS), self.y);
         let width = (WIDTH - 2.0 * MARGIN) / COLUMNS as f32;
-        for (i, (name, value)) in rows.iter().enumerate() {
-            let x = MARGIN + (i / per_column) as f32 * width;
-            let y = top + (i % per_column + 1) as f32 * LINE;
-            self.text(x, y, name.trim(), "");
-            self.text(x + VALUE, y, value, "");
+        let (mut column, mut line, mut most) = (0, 0, 0);
+        for (name, value) in rows {
+            if line >= per_column && column + 1 < COLUMNS {
+                (column, line) = (column + 1, 0);
+            }
+            let x = MARGIN + column as f32 * width;
+            let y = |line: usize| top + (line + 1) as f32 * LINE;
+            self.text(x, y(line), name, "");
+            for words in &value {
+                self.text(x + VALUE, y(line), words, "");
+                line += 1;
+            }
+            most = most.max(line);
         }
-        self.y = top + per_column as f32 * LINE + 0.3 * LINE;
+        self.y = top + most as f32 * LINE + 0.3 * LINE;
     }
 
     fn finish(self) -> String {

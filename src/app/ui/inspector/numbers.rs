@@ -13,6 +13,27 @@ use lightfall_core::scene::Scene;
 /// The row that says how accurate the picture is at this pixel.
 const GPU_ERROR: &str = "GPU error";
 
+/// Angles in radians, and shares of a length, that are rounding and nothing else: a pixel's direction is
+/// known to f32's 1.2e-7, and b is the root of a sum in f64, which a radial ray leaves at 1e-8.
+const ROUNDING: f64 = 1.2e-7;
+
+/// A number, or 0 where it is nothing but rounding beside a number of this size.
+pub(super) fn without_rounding(number: f64, size: f64) -> f64 {
+    if number.abs() < ROUNDING * size {
+        0.0
+    } else {
+        number
+    }
+}
+
+/// An angle by which light is turned, given in radians, in degrees.
+pub(super) fn turned_by(radians: f64) -> String {
+    format!(
+        "{}°",
+        four_digits(without_rounding(radians, 1.0).to_degrees())
+    )
+}
+
 /// A row with a help, because light from the sky sweeps a half-turn even without gravity.
 const HALF_TURNS: &str = "half-turns";
 const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in half-turns. The \
@@ -86,8 +107,7 @@ fn light_and_path(ray: &Inspected, scene: &Scene, units: Units) -> Rows {
         rows.add(&name, Some(format!("g {}", four_digits(g))));
         rows.add("   beaming g⁴", beaming(scene, g));
     }
-    let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
-    rows.add("deflection", deflection.map(|angle| format!("{angle}°")));
+    rows.add("deflection", numbers.deflection.map(turned_by));
     let mut turned = format!("{:.3}", numbers.half_turns);
     if let Some(order) = numbers.order {
         turned += &format!(", order {order}");
@@ -152,10 +172,13 @@ fn constants_and_errors(ray: &Inspected, scene: &Scene, gpu_fault: Option<&str>)
     } else {
         "impact parameter b"
     };
-    rows.add(impact, numbers.impact_parameter.map(|b| measured(b, "r_s")));
-    let lambda = numbers.lambda.map(|lambda| measured(lambda, "r_s"));
-    rows.add("lambda = L/E", lambda);
-    rows.add("eta = Q/E²", numbers.eta.map(|eta| measured(eta, "r_s²")));
+    let r = scene.camera.r;
+    let length = |length| measured(without_rounding(length, r), "r_s");
+    rows.add(impact, numbers.impact_parameter.map(length));
+    rows.add("lambda = L/E", numbers.lambda.map(length));
+    // eta is the square of a length.
+    let eta = |eta| measured(without_rounding(eta, ROUNDING * r * r), "r_s²");
+    rows.add("eta = Q/E²", numbers.eta.map(eta));
     let sky = trace
         .sky
         .map(|sky| format!("{:.3} {:.3} {:.3}", sky.x, sky.y, sky.z));

@@ -3,6 +3,7 @@
 
 use super::colours::{CAMERA, DISK, HORIZON, PHOTON_ORBITS, path_colour};
 use super::labels::Labels;
+use super::numbers::{turned_by, without_rounding};
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::DVec2;
 use lightfall_core::accuracy::inspection::Inspected;
@@ -209,6 +210,7 @@ impl Figure {
         if deflection > MIN_ARC {
             self.draw_angle([camera, foot], [looking, toward], deflection);
         }
+        let b = without_rounding(b, camera.length());
         let text = format!("b = {}", self.in_words(b));
         self.label(0.62 * foot, &text, IMPACT);
     }
@@ -242,7 +244,7 @@ impl Figure {
         let line = self.line(&arc);
         self.labels.avoid(line.iter().copied());
         self.painter.line(line, Stroke::new(1.8, ANGLE));
-        let text = format!("deflection {}°", four_digits(deflection.to_degrees()));
+        let text = format!("deflection {}", turned_by(deflection));
         self.label(arc[48], &text, ANGLE);
     }
 
@@ -345,6 +347,7 @@ fn captured(scene: &Scene, ray: &Inspected, units: Units) -> String {
     let outside = scene.hole.spin == 0.0 && scene.camera.r > 1.5;
     match b.filter(|_| outside && scene.effects.lensing) {
         Some(b) => {
+            let b = without_rounding(b, scene.camera.r);
             let [b, critical] =
                 [b, CRITICAL_IMPACT].map(|length| units.length(length, four_digits));
             format!(
@@ -358,13 +361,12 @@ fn captured(scene: &Scene, ray: &Inspected, units: Units) -> String {
 /// What the figure shows, in a sentence or two.
 pub(super) fn explanation(scene: &Scene, ray: &Inspected, units: Units) -> String {
     let spins = scene.hole.spin != 0.0;
-    let deflection = ray.plane.deflection.map(f64::to_degrees);
-    let mut said = match (ray.trace.outcome, deflection.map(four_digits)) {
+    let mut said = match (ray.trace.outcome, ray.plane.deflection.map(turned_by)) {
         _ if ray.trace.hits[0].is_some() => "Light from the disk.".to_owned(),
         (Outcome::Sky, Some(angle)) if spins => {
-            format!("Light from the sky. Its direction has turned by {angle}°.")
+            format!("Light from the sky. Its direction has turned by {angle}.")
         }
-        (Outcome::Sky, Some(angle)) => format!("Light from the sky, turned by {angle}°."),
+        (Outcome::Sky, Some(angle)) => format!("Light from the sky, turned by {angle}."),
         (Outcome::Sky, None) => "Light from the sky.".into(),
         (Outcome::Captured, _) => captured(scene, ray, units),
         (Outcome::Unfinished, _) => "The reference gave up on this ray.".into(),

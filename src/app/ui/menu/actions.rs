@@ -112,7 +112,7 @@ impl MenuActions<'_> {
         [mission.title.clone(), reached]
     }
 
-    /// A lesson's title, and how many stops it has.
+    /// A lesson's title, and how many stops it has, if any.
     fn lesson_words(&self, index: usize) -> [String; 2] {
         let Some(lesson) = self.lessons.0.get(index) else {
             return Default::default();
@@ -121,26 +121,30 @@ impl MenuActions<'_> {
             "" => "Without a title",
             title => title,
         };
-        [title.to_owned(), counted(lesson.stops.len(), "stop")]
+        let stops = match lesson.stops.len() {
+            0 => String::new(),
+            stops => counted(stops, "stop"),
+        };
+        [title.to_owned(), stops]
     }
 
     /// The line below the entries.
-    pub(super) fn hint(&self) -> String {
+    pub(super) fn hint(&self, bindings: &Bindings) -> String {
         const KEYS: &str = "Up, Down and Enter choose";
         let file = self.missions.results.file().filter(|_| !IN_BROWSER);
         if let MenuEntry::Lesson(index) = self.menu.selected()
             && let Some(lesson) = self.lessons.0.get(index)
             && !lesson.teaches.is_empty()
         {
-            return lesson.teaches.clone();
+            return bindings.with_keys(&lesson.teaches);
         }
         if let MenuEntry::Mission(index) = self.menu.selected()
             && let Some(mission) = self.missions.list.get(index)
         {
-            return match mission.teaches.as_str() {
-                "" => mission.brief.clone(),
-                teaches => teaches.to_owned(),
-            };
+            return bindings.with_keys(match mission.teaches.as_str() {
+                "" => mission.brief.as_str(),
+                teaches => teaches,
+            });
         }
         match (self.menu.list(), file) {
             (MenuList::Missions(_), Some(file)) => {

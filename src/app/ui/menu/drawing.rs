@@ -50,7 +50,7 @@ pub(super) fn show_menu(
                 MenuList::Missions(_) => "Missions",
                 MenuList::Lessons(_) => "Lessons",
             };
-            let hint = actions.hint();
+            let hint = actions.hint(&bindings);
             let entries = actions.menu.entries();
             let rows: Vec<Row> = entries
                 .into_iter()

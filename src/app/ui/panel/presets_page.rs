@@ -70,13 +70,13 @@ impl PresetsPage {
         }
     }
 
-    /// The fields that open a preset, a mission or a picture.
+    /// The fields that open a preset, a mission, a lesson or a picture.
     fn show_opening(&mut self, ui: &mut egui::Ui, opener: &mut FileOpener) {
         ui.horizontal(|ui| {
             // A page in a browser has no paths.
             if !IN_BROWSER {
                 let path = egui::TextEdit::singleline(&mut self.path)
-                    .hint_text("Path of a preset, mission or picture")
+                    .hint_text("Path of a preset, mission, lesson or picture")
                     .desired_width(ui.available_width() - 150.0);
                 let field = ui.add(path);
                 let entered =
@@ -103,9 +103,9 @@ impl PresetsPage {
             Some(Picked::Nothing) | None => {}
         }
         let hint = if IN_BROWSER {
-            "A preset, a mission, or a picture that Lightfall saved."
+            "A preset, a mission, a lesson, or a picture that Lightfall saved."
         } else {
-            "Or drop a preset, a mission, or a picture that Lightfall saved, on the window."
+            "Or drop a preset, a mission, a lesson, or a picture that Lightfall saved, on the window."
         };
         note(ui, hint);
     }

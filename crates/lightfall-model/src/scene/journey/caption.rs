@@ -2,6 +2,7 @@
 
 use super::error::Fault;
 use super::format::{CAPTION_SECONDS, MAX_CAPTION_CHARS, MAX_CAPTIONS};
+use super::load::noted;
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::shortened;
 use toml::Table;
@@ -20,17 +21,25 @@ pub struct Caption {
 }
 
 /// Reads the captions of a journey whose keyframes last from `span[0]` to `span[1]` seconds.
-pub(super) fn read_captions(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Caption>, Fault> {
+pub(super) fn read_captions(
+    tables: Vec<Table>,
+    span: [f64; 2],
+) -> Result<Vec<Caption>, Vec<Fault>> {
     if tables.len() > MAX_CAPTIONS {
         let count = tables.len();
-        return Err(Fault::CaptionCount { count });
+        return Err(vec![Fault::CaptionCount { count }]);
     }
+    let mut faults = Vec::new();
     let mut captions: Vec<Caption> = Vec::with_capacity(tables.len());
     for (index, table) in tables.into_iter().enumerate() {
         let before = captions.last().map(|last| last.at);
-        captions.push(read(index + 1, table, before, span)?);
+        captions.extend(noted(read(index + 1, table, before, span), &mut faults));
     }
-    Ok(captions)
+    if faults.is_empty() {
+        Ok(captions)
+    } else {
+        Err(faults)
+    }
 }
 
 /// Reads the caption of this number, counted from 1, after one at the time `before`.
@@ -44,7 +53,7 @@ fn read(
         table: "caption",
         number,
         key,
-        given: value.map_or_else(|| "nothing".into(), given),
+        given: value.map(given),
         allowed,
     };
     let [time, seconds, text] = ["time", "seconds", "text"].map(|key| table.remove(key));

@@ -69,7 +69,10 @@ impl Draft {
     pub fn journey(&self) -> Result<Journey, JourneyError> {
         let origin = "the lesson";
         let mut keyframes = self.keyframes();
-        let journey = load(origin, &self.text(&keyframes))?;
+        let read = |keyframes: &[Keyframe]| {
+            load(origin, &self.text(keyframes)).map_err(JourneyError::without_lines)
+        };
+        let journey = read(&keyframes)?;
         // In free fall around a hole that spins, a keyframe's azimuth is another one than a scene's.
         let mut leads = Vec::new();
         for (shown, stop) in self.stops.iter().zip(&journey.stops) {
@@ -88,7 +91,7 @@ impl Draft {
                 *phi += lead;
             }
         }
-        load(origin, &self.text(&keyframes))
+        read(&keyframes)
     }
 
     fn text(&self, keyframes: &[Keyframe]) -> String {

@@ -1,19 +1,80 @@
 //! What can be wrong with the text of a journey, each in one sentence.
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, MAX_STOPS, NAMES};
+use super::key_line::line_of;
 use crate::scene::error::SceneFault;
 use crate::scene::presets::numbered_names;
+use std::fmt;
 use thiserror::Error;
 
-/// Why a text is not a journey.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{origin}: {fault}")]
+/// Why a text is not a journey. Its sentence is that of the first fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JourneyError {
     /// The journey's file.
-    pub origin: String,
-    /// What is wrong.
-    pub fault: Fault,
+    origin: String,
+    /// What is wrong with keyframes, captions and stops, in this order: at least one fault.
+    faults: Vec<LocatedFault>,
 }
+
+/// A fault, and the line in which it is, from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct LocatedFault {
+    line: Option<usize>,
+    fault: Fault,
+}
+
+impl JourneyError {
+    /// The error of a text with these faults.
+    pub(super) fn new(origin: &str, text: &str, faults: Vec<Fault>) -> Self {
+        let located = |fault: Fault| {
+            let line = fault
+                .place()
+                .and_then(|(table, key)| line_of(text, table, key));
+            LocatedFault { line, fault }
+        };
+        Self {
+            origin: origin.into(),
+            faults: faults.into_iter().take(MAX_FAULTS).map(located).collect(),
+        }
+    }
+
+    /// The same error of a text that nobody reads.
+    pub(super) fn without_lines(mut self) -> Self {
+        for located in &mut self.faults {
+            located.line = None;
+        }
+        self
+    }
+
+    /// One sentence for each fault.
+    pub fn sentences(&self) -> Vec<String> {
+        let said = |located: &LocatedFault| format!("{}: {located}", self.origin);
+        self.faults.iter().map(said).collect()
+    }
+}
+
+impl std::error::Error for JourneyError {}
+
+impl fmt::Display for JourneyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.faults.first() {
+            Some(first) => write!(f, "{}: {first}", self.origin),
+            None => write!(f, "{}: is no journey", self.origin),
+        }
+    }
+}
+
+impl fmt::Display for LocatedFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "line {line}: {}", self.fault),
+            None => write!(f, "{}", self.fault),
+        }
+    }
+}
+
+/// The most faults of a text that are told.
+const MAX_FAULTS: usize = 20;
 
 /// What a journey has at the top level.
 const TOP: &str =
@@ -67,25 +128,55 @@ pub enum Fault {
     StopCount { count: usize },
     /// A stop with an unknown key, or with one that no stop switches.
     #[error(
-        "{}stop {number}: there is no {key}; {hint}; a stop has at, caption, guides, side_by_side, inspector, question, and \
-             fields of the scene such as view or effects.doppler",
-        line.map_or_else(String::new, |line| format!("line {line}: "))
+        "stop {number}: there is no {key}; {hint}; a stop has at, caption, guides, side_by_side, inspector, question, and \
+             fields of the scene such as view or effects.doppler"
     )]
     StopKey {
-        line: Option<usize>,
         number: usize,
         key: String,
         hint: String,
     },
     /// A value of a keyframe, a caption or a stop that is missing, of the wrong type or out of range.
-    #[error("{table} {number}: {key} = {given} is refused: it must be {allowed}")]
+    #[error("{table} {number}: {}", refusal(key, given.as_deref(), allowed))]
     Value {
         table: &'static str,
         number: usize,
         key: &'static str,
-        given: String,
+        /// None where the key is missing.
+        given: Option<String>,
         allowed: String,
     },
+}
+
+/// The key of a text that a fault is about, after the name and the number of the table that should have it.
+type Place<'a> = (Option<(&'static str, usize)>, &'a str);
+
+impl Fault {
+    /// Where the fault is. None for one of the whole text.
+    fn place(&self) -> Option<Place<'_>> {
+        match self {
+            Self::Text(_)
+            | Self::Count { .. }
+            | Self::CaptionCount { .. }
+            | Self::StopCount { .. } => None,
+            Self::Top { key, .. } | Self::FieldOfScenes { key } => Some((None, key.as_str())),
+            Self::Line { key, .. } => Some((None, *key)),
+            Self::Preset { .. } => Some((None, "preset")),
+            Self::UnknownKey { number, key } => Some((Some(("keyframe", *number)), key.as_str())),
+            Self::CaptionKey { number, key } => Some((Some(("caption", *number)), key.as_str())),
+            Self::StopKey { number, key, .. } => Some((Some(("stop", *number)), key.as_str())),
+            Self::Value {
+                table, number, key, ..
+            } => Some((Some((*table, *number)), *key)),
+        }
+    }
+}
+
+fn refusal(key: &str, given: Option<&str>, allowed: &str) -> String {
+    match given {
+        Some(given) => format!("{key} = {given} is refused: it must be {allowed}"),
+        None => format!("{key} is missing: it must be {allowed}"),
+    }
 }
 
 fn names() -> String {

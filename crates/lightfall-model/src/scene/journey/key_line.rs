@@ -2,24 +2,65 @@
 
 use toml::de::{DeTable, DeValue};
 
-/// The line, from 1, of a dotted key in the table of this number, from 1, among those with a name.
-/// None if the text has no such key, or is no TOML.
-pub(super) fn line_of(text: &str, [table, key]: [&str; 2], number: usize) -> Option<usize> {
+/// The line, from 1, of a dotted key: of the whole text, or of the table of this name and number, from 1. Of
+/// a key that is missing, the line where its table begins. None if there is none of them.
+pub(super) fn line_of(text: &str, table: Option<(&str, usize)>, key: &str) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;
-    let tables = document.get_ref().get(table)?.get_ref();
-    let DeValue::Array(tables) = tables else {
+    let whole = document.get_ref();
+    let Some((name, number)) = table else {
+        return line_at(text, start_of(whole, key)?);
+    };
+    let DeValue::Array(tables) = whole.get(name)?.get_ref() else {
         return None;
     };
-    let mut inside = tables.get(number.checked_sub(1)?)?.get_ref();
-    let mut at = None;
+    let DeValue::Table(inside) = tables.get(number.checked_sub(1)?)?.get_ref() else {
+        return None;
+    };
+    // A keyframe has the same keys once more in its table `rain`.
+    let own = start_of(inside, key);
+    let rain = inside.iter().find(|(key, _)| key.get_ref() == "rain");
+    let in_rain = rain.and_then(|(_, value)| match value.get_ref() {
+        DeValue::Table(rain) => start_of(rain, key),
+        _ => None,
+    });
+    match (own, in_rain) {
+        (Some(at), None) | (None, Some(at)) => line_at(text, at),
+        // Which of the two it is, the fault does not say.
+        (Some(_), Some(_)) | (None, None) => {
+            let first = inside.iter().map(|(key, _)| key.span().start).min()?;
+            head_above(text, name, first).or_else(|| line_at(text, first))
+        }
+    }
+}
+
+/// Where a dotted key begins, or as much of it as the table has.
+fn start_of(table: &DeTable<'_>, key: &str) -> Option<usize> {
+    let (mut inside, mut at) = (table, None);
     for name in key.split('.') {
-        let DeValue::Table(table) = inside else {
+        let Some((key, value)) = inside.iter().find(|(key, _)| key.get_ref() == name) else {
             break;
         };
-        let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
         at = Some(key.span().start);
-        inside = value.get_ref();
+        let DeValue::Table(table) = value.get_ref() else {
+            break;
+        };
+        inside = table;
     }
-    let before = text.as_bytes().get(..at?)?;
+    at
+}
+
+/// The line of the nearest head `[[name]]` above a place.
+fn head_above(text: &str, name: &str, at: usize) -> Option<usize> {
+    let is_head = |line: &str| {
+        let inside = line.trim_start().strip_prefix("[[");
+        inside.is_some_and(|rest| rest.trim_start().starts_with(name))
+    };
+    let above: Vec<&str> = text.get(..at)?.lines().collect();
+    let place = above.iter().rposition(|line| is_head(line))?;
+    Some(place + 1)
+}
+
+fn line_at(text: &str, at: usize) -> Option<usize> {
+    let before = text.as_bytes().get(..at)?;
     Some(1 + before.iter().filter(|byte| **byte == b'\n').count())
 }

@@ -79,7 +79,7 @@ fn time(number: usize, time: Option<&toml::Value>, before: Option<f64>) -> Resul
         table: TABLE,
         number,
         key: "time",
-        given: time.map_or_else(|| "nothing".into(), given),
+        given: time.map(given),
         allowed,
     })
 }
@@ -97,7 +97,7 @@ fn checked(number: usize, frame: &Table) -> Result<Values, Fault> {
             table: TABLE,
             number,
             key: name,
-            given,
+            given: Some(given),
             allowed: field.allowed(),
         };
         let value = field

@@ -5,13 +5,12 @@ use super::caption::{allowed_line, line, read_captions};
 use super::clock::Clock;
 use super::error::{Fault, JourneyError};
 use super::format::MAX_KEYFRAMES;
-use super::key_line::line_of;
 use super::keyframe::{Keyframe, TABLE, Values};
 use super::read_stop::read_stops;
 use super::tracks::{Tracks, component};
 use crate::scene::ObserverKind;
 use crate::scene::fields::field;
-use crate::scene::from_toml::{given, table};
+use crate::scene::from_toml::{float, given, table};
 use crate::scene::hint::is_table;
 use crate::scene::presets::{self, Preset};
 use crate::scene::value::{Value, shortened};
@@ -20,25 +19,28 @@ use toml::Table;
 /// Makes a journey of its TOML `text`. `origin` names it in messages.
 ///
 /// # Errors
-/// One sentence that names the file, the keyframe or caption, what was given and what is allowed.
+/// One sentence that names the file, the line, the keyframe or caption, what was given and what is allowed.
+/// The error has those of further faults, too.
 pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
-    let journey = table(text).map_err(Fault::from).and_then(journey);
-    journey.map_err(|mut fault| {
-        if let Fault::StopKey {
-            line, number, key, ..
-        } = &mut fault
-        {
-            *line = line_of(text, ["stop", key], *number);
-        }
-        JourneyError {
-            origin: origin.into(),
-            fault,
-        }
-    })
+    let journey = table(text)
+        .map_err(|fault| vec![Fault::from(fault)])
+        .and_then(journey);
+    journey.map_err(|faults| JourneyError::new(origin, text, faults))
 }
 
-/// The journey that a TOML table describes.
-fn journey(table: Table) -> Result<Journey, Fault> {
+/// What was read. A fault goes to the others, so that reading can go on.
+pub(super) fn noted<T>(read: Result<T, Fault>, faults: &mut Vec<Fault>) -> Option<T> {
+    read.map_err(|fault| faults.push(fault)).ok()
+}
+
+/// As [`noted`], for several faults.
+pub(super) fn all_noted<T>(read: Result<T, Vec<Fault>>, faults: &mut Vec<Fault>) -> Option<T> {
+    read.map_err(|several| faults.extend(several)).ok()
+}
+
+/// The journey that a TOML table describes, or what is wrong with it.
+fn journey(table: Table) -> Result<Journey, Vec<Fault>> {
+    let mut faults = Vec::new();
     let [mut title, mut teaches, mut ending] = [const { String::new() }; 3];
     let mut preset = None;
     let [mut frames, mut captions, mut stops] = [const { Vec::new() }; 3];
@@ -49,9 +51,13 @@ fn journey(table: Table) -> Result<Journey, Fault> {
             ("title", value @ toml::Value::String(_)) if is_title(&value) => {
                 title = value.as_str().unwrap_or_default().into();
             }
-            ("teaches", value) => teaches = read_line("teaches", &value)?,
-            ("ending", value) => ending = read_line("ending", &value)?,
-            ("preset", value) => preset = Some(read_preset(&value)?),
+            ("teaches", value) => {
+                teaches = noted(read_line("teaches", &value), &mut faults).unwrap_or_default();
+            }
+            ("ending", value) => {
+                ending = noted(read_line("ending", &value), &mut faults).unwrap_or_default();
+            }
+            ("preset", value) => preset = noted(read_preset(&value), &mut faults),
             ("keyframe", toml::Value::Array(values)) if is_list_of_tables(&values) => {
                 frames = tables(values);
             }
@@ -61,20 +67,59 @@ fn journey(table: Table) -> Result<Journey, Fault> {
             ("stop", toml::Value::Array(values)) if is_list_of_tables(&values) => {
                 stops = tables(values);
             }
-            (key, _) if is_table(key) => return Err(Fault::FieldOfScenes { key: key.into() }),
-            (_, value) => {
-                return Err(Fault::Top {
-                    key: shortened(&key),
-                    given: given(&value),
-                });
+            // A preset has many of them.
+            (key, _) if is_table(key) => {
+                faults.push(Fault::FieldOfScenes { key: key.into() });
+                return Err(faults);
             }
+            (_, value) => faults.push(Fault::Top {
+                key: shortened(&key),
+                given: given(&value),
+            }),
         }
     }
-    let keyframes = read_keyframes(frames)?;
-    let values: Vec<Values> = keyframes.iter().map(|frame| frame.values.clone()).collect();
-    let in_rain: Vec<Values> = keyframes.iter().map(Keyframe::values_in_rain).collect();
-    check_velocities(values.iter())?;
-    check_velocities(in_rain.iter())?;
+    let count = frames.len();
+    // Captions and stops can be read where the times of the first and the last keyframe can.
+    let time = |frame: Option<&Table>| frame?.get("time").and_then(float);
+    let span = time(frames.first()).zip(time(frames.last()));
+    let keyframes = all_noted(read_keyframes(frames), &mut faults);
+    let span = span.filter(|(start, end)| start <= end);
+    let captions =
+        span.and_then(|(start, end)| all_noted(read_captions(captions, [start, end]), &mut faults));
+    let stops =
+        span.and_then(|(start, end)| all_noted(read_stops(stops, [start, end]), &mut faults));
+    match (keyframes, captions, stops) {
+        (Some(keyframes), Some(captions), Some(stops)) if faults.is_empty() => {
+            let [values, in_rain] = values_of(&keyframes);
+            let too_fast = [&values, &in_rain].map(|values| check_velocities(values.iter()));
+            if let Some(fault) = too_fast.into_iter().find_map(Result::err) {
+                return Err(vec![fault]);
+            }
+            Ok(Journey {
+                title,
+                teaches,
+                ending,
+                preset,
+                captions,
+                stops,
+                ..flown(keyframes, [values, in_rain])
+            })
+        }
+        // Without a time there was a fault.
+        _ if faults.is_empty() => Err(vec![Fault::Count { count }]),
+        _ => Err(faults),
+    }
+}
+
+/// The values of keyframes for every observer, and for one that falls freely.
+fn values_of(keyframes: &[Keyframe]) -> [Vec<Values>; 2] {
+    let values = keyframes.iter().map(|frame| frame.values.clone());
+    let in_rain = keyframes.iter().map(Keyframe::values_in_rain);
+    [values.collect(), in_rain.collect()]
+}
+
+/// A journey through keyframes, of which there are at least two, without words and stops.
+fn flown(keyframes: Vec<Keyframe>, [values, in_rain]: [Vec<Values>; 2]) -> Journey {
     let [start, end] = [keyframes[0].time, keyframes[keyframes.len() - 1].time];
     let kind = |frame: &Keyframe| match frame.values.get("observer")? {
         Value::Word(word) => Some((frame.time - start, ObserverKind::from_word(word)?)),
@@ -91,13 +136,13 @@ fn journey(table: Table) -> Result<Journey, Fault> {
         let times = keyframes.iter().map(|frame| frame.time - start);
         Tracks::through(&times.zip(values).collect::<Vec<_>>())
     };
-    Ok(Journey {
-        title,
-        teaches,
-        ending,
-        preset,
-        captions: read_captions(captions, [start, end])?,
-        stops: read_stops(stops, [start, end])?,
+    Journey {
+        title: String::new(),
+        teaches: String::new(),
+        ending: String::new(),
+        preset: None,
+        captions: Vec::new(),
+        stops: Vec::new(),
         duration: end - start,
         tracks: tracks(&values),
         tracks_in_rain: tracks(&in_rain),
@@ -107,7 +152,7 @@ fn journey(table: Table) -> Result<Journey, Fault> {
             times: numbers("disk_time"),
         },
         keyframes,
-    })
+    }
 }
 
 fn tables(values: Vec<toml::Value>) -> Vec<Table> {
@@ -145,17 +190,22 @@ fn read_preset(value: &toml::Value) -> Result<&'static Preset, Fault> {
     preset.ok_or(Fault::Preset { given })
 }
 
-fn read_keyframes(frames: Vec<Table>) -> Result<Vec<Keyframe>, Fault> {
+fn read_keyframes(frames: Vec<Table>) -> Result<Vec<Keyframe>, Vec<Fault>> {
     let count = frames.len();
     if !(2..=MAX_KEYFRAMES).contains(&count) {
-        return Err(Fault::Count { count });
+        return Err(vec![Fault::Count { count }]);
     }
+    let mut faults = Vec::new();
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(count);
     for (index, frame) in frames.into_iter().enumerate() {
         let before = keyframes.last().map(|last| last.time);
-        keyframes.push(Keyframe::read(index + 1, frame, before)?);
+        keyframes.extend(noted(Keyframe::read(index + 1, frame, before), &mut faults));
     }
-    Ok(keyframes)
+    if faults.is_empty() {
+        Ok(keyframes)
+    } else {
+        Err(faults)
+    }
 }
 
 /// Checks that the velocity stays below that of light between keyframes, too: each component stays
@@ -173,7 +223,7 @@ fn check_velocities<'a>(keyframes: impl Iterator<Item = &'a Values> + Clone) -> 
                 table: TABLE,
                 number,
                 key: "velocity",
-                given: end.quoted(),
+                given: Some(end.quoted()),
                 allowed: format!(
                     "nearer to that of the keyframe before, {before}: on the way there it would reach 1 c"
                 ),

@@ -2,8 +2,9 @@
 
 use super::error::Fault;
 use super::format::{MAX_STOP_CHARS, MAX_STOP_LINES, MAX_STOPS};
+use super::load::{all_noted, noted};
+use super::read_question::read_question;
 use super::stop::{InspectorView, SideBySide, Stop, is_switched};
-use crate::scene::Question;
 use crate::scene::fields::field;
 use crate::scene::from_toml::{float, given};
 use crate::scene::hint::{hint, is_table};
@@ -12,22 +13,29 @@ use toml::Table;
 
 /// What the table of a stop is called.
 pub(super) const TABLE: &str = "stop";
-/// The largest number of characters of a question, and of a unit.
-const MAX_QUESTION_CHARS: usize = 400;
-const MAX_UNIT_CHARS: usize = 20;
 
 /// Reads the stops of a journey whose keyframes last from `span[0]` to `span[1]` seconds.
-pub(super) fn read_stops(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Stop>, Fault> {
+pub(super) fn read_stops(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Stop>, Vec<Fault>> {
     if tables.len() > MAX_STOPS {
         let count = tables.len();
-        return Err(Fault::StopCount { count });
+        return Err(vec![Fault::StopCount { count }]);
     }
+    let mut faults = Vec::new();
     let mut stops: Vec<Stop> = Vec::with_capacity(tables.len());
+    let mut before = None;
     for (index, table) in tables.into_iter().enumerate() {
-        let before = stops.last().map(|last| last.at);
-        stops.push(read(index + 1, table, before, span)?);
+        let at = table.get("at").and_then(float);
+        stops.extend(all_noted(read(index + 1, table, before, span), &mut faults));
+        // A stop with other faults has its time all the same.
+        let within = at.filter(|at| (span[0]..=span[1]).contains(at));
+        let later = within.filter(|at| before.is_none_or(|before| *at > before));
+        before = later.or(before);
     }
-    Ok(stops)
+    if faults.is_empty() {
+        Ok(stops)
+    } else {
+        Err(faults)
+    }
 }
 
 /// Reads the stop of this number, counted from 1, after one at the time `before`.
@@ -35,46 +43,68 @@ fn read(
     number: usize,
     mut table: Table,
     before: Option<f64>,
-    [start, end]: [f64; 2],
-) -> Result<Stop, Fault> {
+    span: [f64; 2],
+) -> Result<Stop, Vec<Fault>> {
+    let mut faults = Vec::new();
     let at = table.remove("at");
-    let within = |at: &f64| (start..=end).contains(at);
-    let time = at.as_ref().and_then(float).filter(within);
-    let time = time.filter(|at| before.is_none_or(|before| *at > before));
-    let time = time.ok_or_else(|| {
-        let allowed = match before {
-            Some(before) if at.as_ref().and_then(float).is_some_and(|at| within(&at)) => {
-                format!("above {before}, the time of the stop before")
-            }
-            _ => format!("a number of seconds from {start} to {end}, within the journey"),
-        };
-        refused(number, "at", at.as_ref(), allowed)
-    })?;
+    let at = noted(read_time(number, at.as_ref(), before, span), &mut faults);
     let switch = |key, value: Option<toml::Value>| match value {
         None => Ok(None),
         Some(toml::Value::Boolean(on)) => Ok(Some(on)),
         other => Err(refused(number, key, other.as_ref(), "true or false".into())),
     };
-    let caption = table.remove("caption");
-    let guides = switch("guides", table.remove("guides"))?;
-    let side_by_side = read_side_by_side(number, table.remove("side_by_side"))?;
-    let inspector = table.remove("inspector");
-    let question = table.remove("question");
-    Ok(Stop {
-        time: time - start,
-        at: time,
-        caption: read_caption(number, caption)?,
-        fields: read_fields(number, table)?,
-        guides,
-        side_by_side,
-        inspector: read_inspector(number, inspector)?,
-        question: question
-            .map(|question| read_question(number, question))
-            .transpose()?,
+    let [caption, guides, side_by_side, inspector, question] =
+        ["caption", "guides", "side_by_side", "inspector", "question"].map(|key| table.remove(key));
+    let guides = noted(switch("guides", guides), &mut faults);
+    let side_by_side = noted(read_side_by_side(number, side_by_side), &mut faults);
+    let caption = noted(read_caption(number, caption), &mut faults);
+    let fields = all_noted(read_fields(number, table), &mut faults);
+    let inspector = noted(read_inspector(number, inspector), &mut faults);
+    let question =
+        question.and_then(|question| all_noted(read_question(number, question), &mut faults));
+    match at {
+        Some(at) if faults.is_empty() => Ok(Stop {
+            time: at - span[0],
+            at,
+            caption: caption.unwrap_or_default(),
+            fields: fields.unwrap_or_default(),
+            guides: guides.flatten(),
+            side_by_side: side_by_side.flatten(),
+            inspector: inspector.flatten(),
+            question,
+        }),
+        _ => Err(faults),
+    }
+}
+
+/// The time of a stop after one at the time `before`.
+fn read_time(
+    number: usize,
+    at: Option<&toml::Value>,
+    before: Option<f64>,
+    [start, end]: [f64; 2],
+) -> Result<f64, Fault> {
+    let given = at.and_then(float);
+    let within = given.filter(|at| (start..=end).contains(at));
+    let later = within.filter(|at| before.is_none_or(|before| *at > before));
+    later.ok_or_else(|| {
+        let allowed = match before {
+            Some(before) if within.is_some() => {
+                format!("above {before}, the time of the stop before")
+            }
+            _ => format!("a number of seconds from {start} to {end}, within the journey"),
+        };
+        let ends_before = given.is_some_and(|at| at > end);
+        let remark = match ends_before {
+            true => ": the last [[keyframe]] must be as late as the last [[stop]]",
+            false => "",
+        };
+        refused(number, "at", at, allowed + remark)
     })
 }
 
-fn refused(
+/// The fault of a value of the stop of this number; `None` is missing.
+pub(super) fn refused(
     number: usize,
     key: &'static str,
     value: Option<&toml::Value>,
@@ -84,7 +114,7 @@ fn refused(
         table: TABLE,
         number,
         key,
-        given: value.map_or_else(|| "nothing".into(), given),
+        given: value.map(given),
         allowed,
     }
 }
@@ -111,19 +141,24 @@ fn read_caption(number: usize, value: Option<toml::Value>) -> Result<String, Fau
 }
 
 /// Fields of the scene: single ones such as `view`, and those in a table such as `effects.doppler`.
-fn read_fields(number: usize, table: Table) -> Result<Vec<(&'static str, Value)>, Fault> {
-    let mut fields = Vec::new();
+fn read_fields(number: usize, table: Table) -> Result<Vec<(&'static str, Value)>, Vec<Fault>> {
+    let (mut fields, mut faults) = (Vec::new(), Vec::new());
     for (key, value) in table {
         match value {
             toml::Value::Table(inner) if is_table(&key) => {
                 for (name, value) in inner {
-                    fields.push(read_field(number, format!("{key}.{name}"), &value)?);
+                    let field = read_field(number, format!("{key}.{name}"), &value);
+                    fields.extend(noted(field, &mut faults));
                 }
             }
-            value => fields.push(read_field(number, key, &value)?),
+            value => fields.extend(noted(read_field(number, key, &value), &mut faults)),
         }
     }
-    Ok(fields)
+    if faults.is_empty() {
+        Ok(fields)
+    } else {
+        Err(faults)
+    }
 }
 
 fn read_field(
@@ -132,7 +167,6 @@ fn read_field(
     value: &toml::Value,
 ) -> Result<(&'static str, Value), Fault> {
     let unknown = |hint: String| Fault::StopKey {
-        line: None,
         number,
         key: shortened(&key),
         hint,
@@ -150,7 +184,7 @@ fn read_field(
         table: TABLE,
         number,
         key: field.key,
-        given,
+        given: Some(given),
         allowed: field.allowed(),
     };
     let value = field
@@ -218,67 +252,3 @@ fn read_inspector(
         },
     }
 }
-
-fn read_question(number: usize, value: toml::Value) -> Result<Question, Fault> {
-    const ALLOWED: &str =
-        "a table with text, answer and tolerance, and unit or hint if there is one";
-    let toml::Value::Table(mut table) = value else {
-        return Err(refused(
-            number,
-            TABLE_OF_QUESTION,
-            Some(&value),
-            ALLOWED.into(),
-        ));
-    };
-    let [text, answer, tolerance, unit, hint] =
-        ["text", "answer", "tolerance", "unit", "hint"].map(|key| table.remove(key));
-    if let Some(key) = table.keys().next() {
-        return Err(Fault::StopKey {
-            line: None,
-            number,
-            key: format!("question.{}", shortened(key)),
-            hint: format!("a question is {ALLOWED}"),
-        });
-    }
-    let line = |key, value: Option<&toml::Value>, most: usize| {
-        let text = value.and_then(toml::Value::as_str).map(str::trim);
-        let fits = |text: &&str| {
-            !text.is_empty() && text.chars().count() <= most && !text.chars().any(char::is_control)
-        };
-        text.filter(fits).map(str::to_owned).ok_or_else(|| {
-            let allowed = format!("one line of text, from 1 to {most} characters long");
-            refused(number, key, value, allowed)
-        })
-    };
-    let finite = |key, value: Option<&toml::Value>, least: f64, allowed: &str| {
-        let number_given = value.and_then(float);
-        let number_given = number_given.filter(|x| x.is_finite() && *x >= least);
-        number_given.ok_or_else(|| refused(number, key, value, allowed.into()))
-    };
-    Ok(Question {
-        text: line("question.text", text.as_ref(), MAX_QUESTION_CHARS)?,
-        answer: finite(
-            "question.answer",
-            answer.as_ref(),
-            f64::MIN,
-            "a finite number",
-        )?,
-        tolerance: finite(
-            "question.tolerance",
-            tolerance.as_ref(),
-            0.0,
-            "a finite number, not negative",
-        )?,
-        unit: match &unit {
-            None => String::new(),
-            unit => line("question.unit", unit.as_ref(), MAX_UNIT_CHARS)?,
-        },
-        hint: match &hint {
-            None => String::new(),
-            hint => line("question.hint", hint.as_ref(), MAX_QUESTION_CHARS)?,
-        },
-    })
-}
-
-/// The key of a stop's question.
-const TABLE_OF_QUESTION: &str = "question";

@@ -1,5 +1,6 @@
 //! Conditions on the quantities of a flight.
 
+use crate::scene::nearest_name;
 use serde::Deserialize;
 
 crate::words! {
@@ -118,8 +119,14 @@ impl TryFrom<String> for Condition {
         let (name, value) = text.split_once(sign).ok_or_else(form)?;
         let name = name.trim();
         let quantity = Quantity::from_word(name).ok_or_else(|| {
-            let known = Quantity::WORDS.join(", ");
-            format!("{text:?} names no quantity of a flight: these are {known}")
+            let words = Quantity::WORDS.map(str::to_owned);
+            let known = words.join(", ");
+            match nearest_name(name, &words) {
+                Some(meant) => {
+                    format!("{text:?} names no quantity of a flight; did you mean {meant}?")
+                }
+                None => format!("{text:?} names no quantity of a flight: these are {known}"),
+            }
         })?;
         let value = value
             .trim()

@@ -223,7 +223,8 @@ fn check_numbers(written: &Text) -> Result<(), Fault> {
     for (index, question) in written.question.iter().enumerate() {
         let key = |name| format!("question {}: {name}", index + 1);
         check(key("answer"), question.answer, true, "a finite number")?;
-        at_least(key("tolerance"), question.tolerance)?;
+        let tolerance = question.tolerance;
+        check(key("tolerance"), tolerance, tolerance > 0.0, POSITIVE)?;
     }
     for (index, par) in written.par.iter().enumerate() {
         check(

@@ -1,9 +1,12 @@
-//! What moves along the jets: filaments and knots, as waves that travel with the matter.
+//! What moves along the jets: strands of the sheath and knots of the spine, as waves that travel with the
+//! matter.
 //!
 //! A wave has the phase w (t - T(r)) + m (phi - Phi(r)) + b ln r + c x + a random phase, where T and Phi
-//! are the time and the turn about the axis in which a pattern comes from the base. So a wave with few
-//! oscillations in time draws filaments along the streamlines, and one with many of them knots that move
-//! outward. Frequencies are fixed, so nothing winds up. A third kind moves the sheath to and fro.
+//! are the time and the turn about the axis in which a pattern comes from the base. The waves of strands
+//! have many crests across the jet, few about it and few oscillations in time: they are shells within
+//! each other, wound like the field lines that trail the rotation, and are seen as fine strands where a
+//! line of sight touches them. Those of knots have many oscillations in time and move outward.
+//! Frequencies are fixed, so nothing winds up.
 //!
 //! Which waves there are is a choice for a picture: no result of gas dynamics.
 
@@ -15,25 +18,28 @@ use lightfall_model::random::Random;
 use lightfall_model::scene::Scene;
 use std::f64::consts::TAU;
 
-/// Number of waves of each kind, multiples of four: those of filaments, of knots, and of the sheath's
-/// ripples.
-pub const KINDS: [usize; 3] = [16, 8, 4];
+/// Number of waves of each kind, multiples of four: those of strands, and of knots.
+pub const KINDS: [usize; 2] = [16, 8];
 /// Number of all waves.
-pub const WAVES: usize = KINDS[0] + KINDS[1] + KINDS[2];
+pub const WAVES: usize = KINDS[0] + KINDS[1];
 /// Entries of the table of travel times.
 pub const TRAVEL: usize = 64;
+/// The place across the jet of the streamline along which patterns travel.
+const TRAVEL_PLACE: f64 = 0.65;
 /// The least velocity of a pattern. Next to the base, where the matter begins at rest, shocks are
 /// faster than it is.
 const PATTERN_SPEED: f64 = 0.25;
 /// The square of the place across the jet within which waves about the axis vanish.
 pub const AXIS: f64 = 0.01;
-/// For each unit of `jet.knots`: how sharp filaments are, the standard deviation of the logarithm of the
-/// knots' emission, and that of the place of the sheath across the jet.
-pub const FILAMENTS: f64 = 30.0;
-/// As [`FILAMENTS`] says.
-pub const KNOTS: f64 = 0.65;
-/// As [`FILAMENTS`] says.
-pub const RIPPLES: f64 = 0.06;
+/// For each unit of `jet.knots`, the standard deviations of the logarithm of the emission: by strands, by
+/// knots in the spine, and by knots in the sheath.
+pub const STRANDS: f64 = 1.2;
+/// As [`STRANDS`] says.
+pub const KNOTS: f64 = 0.6;
+/// As [`STRANDS`] says.
+pub const SHEATH_KNOTS: f64 = 0.2;
+/// How far strands are wound about the axis against the rotation, in radians for each unit of ln r.
+const WINDING: f64 = 3.0;
 /// The purpose of the random numbers.
 const PURPOSE: u64 = 0x6a65_7473;
 
@@ -85,7 +91,7 @@ pub struct Knots {
     pub waves: [Wave; WAVES],
     /// Their way.
     pub travel: Travel,
-    /// Standard deviation of the logarithm of the emission.
+    /// `jet.knots`: the scale of the deviations.
     pub spread: f64,
     jet: Jet,
 }
@@ -108,7 +114,7 @@ impl Knots {
         let off_axis = x * x / (x * x + AXIS);
         let [time, turn] = self.travel.at(place.r);
         let side = usize::from(place.cos_theta < 0.0);
-        let mut fields = [Field::default(); 3];
+        let mut fields = [Field::default(); 2];
         for (i, wave) in self.waves.iter().enumerate() {
             let phase = wave.frequency * (place.time - time)
                 + wave.about * (place.phi - turn)
@@ -116,35 +122,22 @@ impl Knots {
                 + wave.across * x
                 + wave.phases[side];
             let amplitude = wave.amplitude * off_axis.powf(0.5 * wave.about.abs());
-            let field = &mut fields[kind_of(i)];
+            let field = &mut fields[usize::from(i >= KINDS[0])];
             field.value += amplitude * phase.cos();
             field.squares += amplitude.powi(2);
             field.fourth_powers += amplitude.powi(4);
         }
-        let [filaments, knots, ripples] = fields;
-        let moved = RIPPLES * self.spread * ripples.value;
-        let across = self.jet.across_profile(x - moved, x) / self.jet.across_profile(x, x);
-        self.filaments(&filaments) * knots.factor(KNOTS * self.spread) * across
+        let [strands, knots] = fields;
+        let in_sheath =
+            strands.factor(STRANDS * self.spread) * knots.factor(SHEATH_KNOTS * self.spread);
+        let in_spine = knots.factor(KNOTS * self.spread);
+        let [sheath, spine] = self.jet.across_profile(x);
+        (sheath * in_sheath + spine * in_spine) / (sheath + spine)
     }
-
-    /// exp(-q f^2) over its mean: bright where the field changes its sign, which is in sheets that are
-    /// seen as filaments. A part of the field that a footprint or the axis has taken is spread about its
-    /// rest as a normal distribution, over which this is the mean.
-    fn filaments(&self, field: &Field) -> f64 {
-        let q = FILAMENTS * self.spread;
-        let lost = (1.0 - 0.5 * field.squares).max(0.0);
-        let width = 1.0 + 2.0 * q * lost;
-        ((1.0 + 2.0 * q) / width).sqrt() * (-q * field.value.powi(2) / width).exp()
-    }
-}
-
-/// The kind of the wave with this number.
-fn kind_of(wave: usize) -> usize {
-    usize::from(wave >= KINDS[0]) + usize::from(wave >= KINDS[0] + KINDS[1])
 }
 
 impl Travel {
-    /// The way along the middle of the sheath.
+    /// The way along the streamline at [`TRAVEL_PLACE`].
     pub fn of(jet: &Jet) -> Self {
         let shape = jet.shape;
         let start = shape.base.ln();
@@ -152,7 +145,7 @@ impl Travel {
         // dt/dr and dphi/dr.
         let rates = |ln_r: f64| {
             let r = ln_r.exp();
-            let psi = shape.width * shape.sheath[0].powi(2) * r.powf(-shape.kappa);
+            let psi = shape.width * TRAVEL_PLACE.powi(2) * r.powf(-shape.kappa);
             let cos = (1.0 - psi).max(0.0);
             let frame = RestFrame::at(jet.kerr, r, cos.acos());
             let (_, [outward, _, about]) = jet.velocity(r, cos);
@@ -198,31 +191,34 @@ fn waves(period: f64) -> [Wave; WAVES] {
         }
     };
     let round = |x: f64| f64::from(x as f32);
-    std::array::from_fn(|i| {
-        let kind = kind_of(i);
-        let first = [0, KINDS[0], KINDS[0] + KINDS[1]][kind];
-        let share = ((i - first) as f64 + random.unit()) / KINDS[kind] as f64;
+    let mut waves: [Wave; WAVES] = std::array::from_fn(|i| {
+        let is_strand = i < KINDS[0];
+        let (number, count) = if is_strand {
+            (i, KINDS[0])
+        } else {
+            (i - KINDS[0], KINDS[1])
+        };
+        // From the first of two numbers to the second one, evenly in their logarithms.
+        let share = (number as f64 + random.unit()) / count as f64;
+        let spread = |from: f64, to: f64| from * f64::powf(to / from, share);
         let sign = if random.one_in(2) { 1.0 } else { -1.0 };
         let mut normal = || (0..3).map(|_| random.between(-1.0, 1.0)).sum::<f64>();
-        // From the first of two numbers to the second one, evenly in their logarithms.
-        let spread = |from: f64, to: f64| from * (to / from).powf(share);
-        let (period, about, along, across) = match kind {
-            // Fine filaments change four times as fast as broad ones. They are wound more than the
-            // streamlines, at two slightly different pitches, so that they merge and part.
-            0 => {
-                let about = spread(4.0, 30.0).round();
-                let wound = if i % 3 == 2 { 1.0 } else { 1.3 };
-                let along = about * (wound + 0.06 * normal());
-                (spread(400.0, 100.0), about, along, normal())
-            }
-            1 => {
-                let about = sign * [0.0, 1.0, 2.0][i % 3];
-                (spread(6.0, 40.0), about, 0.5 * normal(), 2.0 * normal())
-            }
-            _ => {
-                let about = sign * [1.0, 2.0, 3.0, 1.0][i % 4];
-                (spread(10.0, 40.0), about, normal(), 0.0)
-            }
+        let (period, about, along, across, amplitude) = if is_strand {
+            // Neighbouring numbers of crests across have different ones about, so that strands cross.
+            let about = (3 * number % 5) as f64;
+            let across = spread(4.0, 50.0);
+            let along = WINDING * about + 0.6 * normal();
+            // Fine strands are fainter than broad ones, and change faster.
+            (
+                spread(400.0, 60.0),
+                about,
+                along,
+                sign * across,
+                across.powf(-0.15),
+            )
+        } else {
+            let about = sign * [0.0, 1.0, 0.0, 1.0, 0.0, 2.0, 0.0, 1.0][number];
+            (spread(40.0, 8.0), about, 0.5 * normal(), 0.0, 1.0)
         };
         Wave {
             frequency: whole(TAU / period),
@@ -230,7 +226,16 @@ fn waves(period: f64) -> [Wave; WAVES] {
             along: round(along),
             across: round(across),
             phases: [0, 1].map(|_| random.between(0.0, TAU)),
-            amplitude: round((2.0 / KINDS[kind] as f64).sqrt()),
+            amplitude,
         }
-    })
+    });
+    // The field of each kind has the variance one.
+    let (strands, knots) = waves.split_at_mut(KINDS[0]);
+    for kind in [strands, knots] {
+        let squares: f64 = kind.iter().map(|wave| wave.amplitude.powi(2)).sum();
+        for wave in kind {
+            wave.amplitude = round(wave.amplitude * (2.0 / squares).sqrt());
+        }
+    }
+    waves
 }

@@ -10,7 +10,7 @@ mod knots;
 mod light;
 
 pub use knots::{
-    AXIS, FILAMENTS, FieldPlace, KINDS, KNOTS, Knots, RIPPLES, TRAVEL, Travel, WAVES, Wave,
+    AXIS, FieldPlace, KINDS, KNOTS, Knots, SHEATH_KNOTS, STRANDS, TRAVEL, Travel, WAVES, Wave,
 };
 pub(super) use light::JetMatter;
 pub use light::JetPlace;
@@ -67,19 +67,19 @@ impl Shape {
         Self {
             kappa: 0.88,
             width,
-            sheath: [0.65, 0.15],
-            spine: [6.0, 0.12],
+            sheath: [0.45, 0.35],
+            spine: [100.0, 0.035],
             rim: 2.0,
             speed,
             rise: 8.0,
             base: 1.3 * kerr.horizon(),
             length,
             fade: 0.9,
-            decay: 1.7,
+            decay: 3.4,
             swirl: 0.5,
             colour,
             cooling: 1.1,
-            heating: 0.4,
+            heating: 0.6,
         }
     }
 }
@@ -137,14 +137,15 @@ impl Jet {
 
     /// The brightness across the jet: a sheath and a spine, and nothing at the edge.
     pub fn profile(&self, x: f64) -> f64 {
-        self.across_profile(x, x) * (1.0 - x.powf(self.shape.rim)).max(0.0).powi(2)
+        let [sheath, spine] = self.across_profile(x);
+        (sheath + spine) * (1.0 - x.powf(self.shape.rim)).max(0.0).powi(2)
     }
 
-    /// The brightness of the sheath at one place across the jet and of the spine at another.
-    fn across_profile(&self, in_sheath: f64, in_spine: f64) -> f64 {
+    /// The brightness of the sheath and of the spine at a place across the jet.
+    fn across_profile(&self, x: f64) -> [f64; 2] {
         let near = |offset: f64, width: f64| (-(offset / width).powi(2)).exp();
         let ([place, thickness], [spine, radius]) = (self.shape.sheath, self.shape.spine);
-        near(in_sheath - place, thickness) + spine * near(in_spine, radius)
+        [near(x - place, thickness), spine * near(x, radius)]
     }
 
     /// Emission of the smooth jets for each r_s of the way in the matter's frame.

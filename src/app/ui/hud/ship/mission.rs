@@ -42,7 +42,7 @@ pub(in crate::app::ui::hud) fn show_mission(
     let rows = wanted(attempt, units);
     // Without their values the goals take less room.
     for rows in [&rows[..], &[]] {
-        if show_goals((context, layout), attempt, rows, units) {
+        if show_goals((context, layout), attempt, rows, (units, &*bindings)) {
             break;
         }
     }
@@ -68,18 +68,20 @@ fn show_goals(
     (context, layout): (&egui::Context, &mut Layout),
     attempt: &Attempt,
     rows: &[Wanted],
-    units: Units,
+    (units, bindings): (Units, &Bindings),
 ) -> bool {
     let mission = &attempt.mission;
     let mut board = Board::new(context, "mission", 1.0);
     let width = MAX_GOALS.min(layout.bounds().width());
-    board.add_line(board.text(&mission.title, TEXT, WARNING, width), 0.0);
+    let title = bindings.with_keys(&mission.title);
+    board.add_line(board.text(&title, TEXT, WARNING, width), 0.0);
     let reached = attempt.reached().len();
     for (index, goal) in mission.goals.iter().enumerate() {
         let is_next = index == reached && !attempt.is_over();
         let sign = if index < reached { "●" } else { "○" };
         let colour = if is_next { BRIGHT } else { QUIET };
-        let words = format!("{sign} {}", units.in_text(&goal.text));
+        let text = bindings.with_keys(&units.in_text(&goal.text));
+        let words = format!("{sign} {text}");
         board.add_line(board.text(&words, TEXT, colour, width), 3.0);
         for row in rows.iter().filter(|_| is_next) {
             let words = format!("     {}  {}  ({})", row.label, row.value, row.wanted);

@@ -1,5 +1,6 @@
 //! Asks the question of a mission after its goals were reached, before the card that tells the answer.
 
+use crate::app::controls::bindings::Bindings;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::missions::{AskedQuestion, Missions};
@@ -23,6 +24,7 @@ pub(in crate::app::ui::hud) fn show_question(
     mut asked: ResMut<AskedQuestion>,
     mut missions: ResMut<Missions>,
     mut toast: ResMut<Toast>,
+    bindings: Res<Bindings>,
 ) {
     if ship.attempt().is_none() && asked.question().is_some() {
         asked.close();
@@ -49,7 +51,8 @@ pub(in crate::app::ui::hud) fn show_question(
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
             text_box(14.0, 8.0).show(ui, |ui| {
-                ui.label(egui::RichText::new(&question.text).size(15.0));
+                let text = bindings.with_keys(&question.text);
+                ui.label(egui::RichText::new(text).size(15.0));
                 ui.add_space(6.0);
                 ui.horizontal(|ui| {
                     let AskedQuestion {
@@ -59,7 +62,8 @@ pub(in crate::app::ui::hud) fn show_question(
                     closes = ui.button("Close").clicked();
                 });
                 if !asked.said.is_empty() {
-                    ui.label(egui::RichText::new(asked.said.as_str()).size(15.0));
+                    let said = bindings.with_keys(&asked.said);
+                    ui.label(egui::RichText::new(said).size(15.0));
                 }
             });
         });

@@ -9,8 +9,8 @@ use lightfall_platform::storage::{open_file, presets_folder};
 pub(super) fn ask(answer: impl FnOnce(Picked) + Send + 'static) {
     std::thread::spawn(move || {
         let picked = pick_file(&FileRequest {
-            title: "Open a preset, a mission or a picture",
-            kind: "Presets, missions and pictures",
+            title: "Open a preset, a mission, a lesson or a picture",
+            kind: "Presets, missions, lessons and pictures",
             extensions: &["toml", "png", "exr"],
             folder: presets_folder().filter(|folder| folder.is_dir()),
         });
