@@ -4,6 +4,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::missions::{AskedQuestion, Missions};
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::app::ui::hud::question_field::{Step, show_answer_field};
 use crate::app::ui::layout::Slide;
@@ -24,7 +25,7 @@ pub(in crate::app::ui::hud) fn show_question(
     mut asked: ResMut<AskedQuestion>,
     mut missions: ResMut<Missions>,
     mut toast: ResMut<Toast>,
-    bindings: Res<Bindings>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
 ) {
     if ship.attempt().is_none() && asked.question().is_some() {
         asked.close();
@@ -51,7 +52,8 @@ pub(in crate::app::ui::hud) fn show_question(
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
             text_box(14.0, 8.0).show(ui, |ui| {
-                let text = bindings.with_keys(&question.text);
+                let units = ship.units(&preferences.settings);
+                let text = bindings.with_keys(&units.in_text(&question.text));
                 ui.label(egui::RichText::new(text).size(15.0));
                 ui.add_space(6.0);
                 ui.horizontal(|ui| {
