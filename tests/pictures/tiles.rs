@@ -1,13 +1,14 @@
-//! Pictures in tiles, against the same pictures drawn at once: every byte has to be the same, because a
-//! tile's rays, edges, stars and means are those of the same pixels of the whole picture.
+//! Pictures in tiles, against the same pictures drawn at once: all light and all levels have to be the
+//! same, because a tile's rays, edges, stars and means are those of the same pixels of the whole picture.
 
 use super::preset;
 use glam::UVec2;
 use lightfall_core::scene::Scene;
 use lightfall_picture::{
     Captured, Channels, ExrForm, HeadlessOptions, LargePicture, Linear, PixelRays, PngBits, Still,
-    Studio, Tiles, exposed, png_sweeps, write_exr, write_png,
+    Studio, Tiles, exposed, png_sweeps, write_exr,
 };
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -51,7 +52,7 @@ fn about<'a>(scene: &'a Scene, studio: &Studio, channels: &'a Channels) -> Linea
     }
 }
 
-/// The picture of the whole scene, as PNG and EXR.
+/// Draws the whole scene at once, as a picture that a window would show and as an EXR.
 fn write_whole(scene: &Scene, size: UVec2, channels: &Channels, folder: &Path) -> Still {
     let options = HeadlessOptions {
         light: true,
@@ -59,7 +60,6 @@ fn write_whole(scene: &Scene, size: UVec2, channels: &Channels, folder: &Path) -
     };
     let mut studio = Studio::with_options(scene, size, options).unwrap();
     let still = studio.picture().unwrap();
-    write_png(&folder.join("whole.png"), &still, &studio.record(scene)).unwrap();
     let light = studio.light().unwrap();
     let depth = studio.depth().unwrap();
     let samples = PixelRays::open()
@@ -75,7 +75,7 @@ fn write_whole(scene: &Scene, size: UVec2, channels: &Channels, folder: &Path) -
     still
 }
 
-/// The same in tiles. Returns how many were drawn.
+/// Draws the scene in tiles, as PNG and EXR. Returns how many tiles were drawn.
 fn write_tiles(scene: &Scene, tiles: Tiles, channels: &Channels, folder: &Path) -> usize {
     let options = HeadlessOptions {
         light: true,
@@ -104,6 +104,11 @@ fn write_tiles(scene: &Scene, tiles: Tiles, channels: &Channels, folder: &Path) 
     drawn
 }
 
+/// The levels of a PNG.
+fn levels(png: &Path) -> Vec<u8> {
+    image::open(png).unwrap().to_rgb8().into_raw()
+}
+
 fn check(size: UVec2, tile_sizes: &[UVec2]) {
     let channels: Channels = "sky,hit1,depth".parse().unwrap();
     let folder = tempfile::tempdir().unwrap();
@@ -111,26 +116,35 @@ fn check(size: UVec2, tile_sizes: &[UVec2]) {
     for (name, scene) in scenes(size) {
         let scene = exposed(&scene).unwrap();
         let still = write_whole(&scene, size, &channels, folder.path());
-        let levels: std::collections::BTreeSet<u8> = still.rgb.iter().copied().collect();
-        assert!(levels.len() > 50, "{name}: there is nothing to see");
+        write_tiles(&scene, Tiles::one(size), &channels, folder.path());
+        let whole = levels(&path("tiles.png"));
+        let seen: BTreeSet<u8> = whole.iter().copied().collect();
+        assert!(seen.len() > 50, "{name}: there is nothing to see");
+        // FIT and PRINT are two shaders. A compiler may join a product and a sum in one of them and not
+        // in the other, which moves the noise of the rounding by up to a thousandth of a level.
+        let apart = |(a, b): (&u8, &u8)| a.abs_diff(*b);
+        let apart: Vec<u8> = whole.iter().zip(&still.rgb).map(apart).collect();
+        assert!(apart.iter().all(|apart| *apart <= 1), "{name}");
+        let moved = apart.iter().filter(|apart| **apart > 0).count();
+        assert!(moved <= whole.len() / 1000, "{name}: {moved} levels");
         for tile in tile_sizes {
             let tiles = Tiles::with_size(size, *tile);
             let drawn = write_tiles(&scene, tiles, &channels, folder.path());
             assert_eq!(drawn, (png_sweeps(&scene, &tiles) + 1) * tiles.count());
-            let image = image::open(path("tiles.png")).unwrap().to_rgb8().into_raw();
-            let differ = image.iter().zip(&still.rgb).filter(|(a, b)| a != b).count();
-            assert_eq!(differ, 0, "{name}, {tile}: levels of {}", still.rgb.len());
             assert!(
                 fs::read(path("tiles.exr")).unwrap() == fs::read(path("whole.exr")).unwrap(),
                 "{name}, {tile}: the EXR files differ"
             );
+            let image = levels(&path("tiles.png"));
+            let differ = image.iter().zip(&whole).filter(|(a, b)| a != b).count();
+            assert_eq!(differ, 0, "{name}, {tile}: levels of {}", whole.len());
         }
     }
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn tiles_have_the_bytes_of_the_whole_picture() {
+fn tiles_have_the_light_and_levels_of_the_whole_picture() {
     check(SIZE, &TILES);
 }
 
@@ -138,7 +152,7 @@ fn tiles_have_the_bytes_of_the_whole_picture() {
 /// software renderer.
 #[test]
 #[ignore = "takes minutes with a software renderer: run it by name"]
-fn large_tiles_have_the_bytes_of_the_whole_picture() {
+fn large_tiles_have_the_light_and_levels_of_the_whole_picture() {
     check(
         UVec2::new(4096, 2160),
         &[UVec2::new(512, 512), UVec2::new(768, 256)],
@@ -208,7 +222,7 @@ fn sixteen_bits_show_the_picture_of_eight_bits_more_finely() {
     assert_eq!(info.info().bit_depth, png::BitDepth::Sixteen);
     assert!(info.info().srgb.is_some(), "nothing says that it is sRGB");
     let deep = image::open(&file).unwrap().into_rgb16().into_raw();
-    let mut fine = std::collections::BTreeSet::new();
+    let mut fine = BTreeSet::new();
     for (deep, level) in deep.iter().zip(&still.rgb) {
         let difference = f64::from(*deep) / 257.0 - f64::from(*level);
         assert!(difference.abs() <= 1.0, "{deep} and {level}");

@@ -25,7 +25,7 @@ const MAX_HEADER: u64 = 1 << 20;
 const MIN_ROWS_AT_ONCE: u32 = 16;
 
 /// Most of them, so that a machine with many threads needs no more memory.
-const MAX_ROWS_AT_ONCE: u32 = 128;
+const MAX_ROWS_AT_ONCE: u32 = 64;
 
 /// What takes the next rows of a picture: their light, and the numbers of each channel.
 pub(super) type TakeRows<'a> =

@@ -99,6 +99,34 @@ pub(super) fn padded_row(width: u32, pixel_bytes: usize) -> usize {
     RenderDevice::align_copy_bytes_per_row(width as usize * pixel_bytes)
 }
 
+/// Copies a part of a texture to a buffer for padded rows of pixels with so many bytes.
+pub(super) fn copy_part(
+    encoder: &mut CommandEncoder,
+    source: TexelCopyTextureInfo,
+    Part { origin, size }: Part,
+    (buffer, pixel_bytes): (&Buffer, usize),
+) {
+    encoder.copy_texture_to_buffer(
+        TexelCopyTextureInfo {
+            origin: Origin3d {
+                x: origin.x,
+                y: origin.y,
+                z: 0,
+            },
+            ..source
+        },
+        TexelCopyBufferInfo {
+            buffer,
+            layout: TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(padded_row(size.x, pixel_bytes) as u32),
+                rows_per_image: None,
+            },
+        },
+        size.to_extents(),
+    );
+}
+
 /// The rows of a copy, without their padding.
 pub(super) fn read_rows(
     device: &RenderDevice,
@@ -165,31 +193,14 @@ fn copy_light_and_depth(
         origin: UVec2::ZERO,
         size,
     };
-    let mut to_buffer =
-        |(texture, part): (&Texture, Part), aspect, buffer: &Buffer, pixel_bytes| {
-            context.command_encoder().copy_texture_to_buffer(
-                TexelCopyTextureInfo {
-                    aspect,
-                    origin: Origin3d {
-                        x: part.origin.x,
-                        y: part.origin.y,
-                        z: 0,
-                    },
-                    ..texture.as_image_copy()
-                },
-                TexelCopyBufferInfo {
-                    buffer,
-                    layout: TexelCopyBufferLayout {
-                        offset: 0,
-                        bytes_per_row: Some(padded_row(part.size.x, pixel_bytes) as u32),
-                        rows_per_image: None,
-                    },
-                },
-                part.size.to_extents(),
-            );
-        };
-    to_buffer((target.main_texture(), part), TextureAspect::All, light, 8);
+    let encoder = context.command_encoder();
+    let source = target.main_texture().as_image_copy();
+    copy_part(encoder, source, part, (light, 8));
     if let Some(depths) = depths {
-        to_buffer((&depth.texture, whole), TextureAspect::DepthOnly, depths, 4);
+        let source = TexelCopyTextureInfo {
+            aspect: TextureAspect::DepthOnly,
+            ..depth.texture.as_image_copy()
+        };
+        copy_part(encoder, source, whole, (depths, 4));
     }
 }

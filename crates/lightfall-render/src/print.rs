@@ -3,7 +3,7 @@
 
 use crate::bloom::BloomPass;
 use crate::camera_markers::SceneCamera;
-use crate::capture::{padded_row, read_rows};
+use crate::capture::{copy_part, padded_row, read_rows};
 use crate::develop::{develop, waits_for_bloom};
 use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
@@ -19,7 +19,6 @@ use bevy::render::renderer::{RenderContext, RenderDevice, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Print;
-use lightfall_core::scene::Part;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 const SHADER: Handle<Shader> = uuid_handle!("d0c3f1b6-7b5e-4d92-8a40-2f6e9c5b1e73");
@@ -175,35 +174,23 @@ fn print_picture(
     if !is_drawn {
         return;
     }
-    let Part { origin, size } = part.in_target(drawn);
+    let part = part.in_target(drawn);
+    let size = part.size;
     let mut copy = prints.copy();
-    let row = padded_row(size.x, PIXEL_BYTES);
     if copy.as_ref().is_none_or(|copy| copy.size != size) {
         let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
-        let bytes = row as u64 * u64::from(size.y);
+        let bytes = padded_row(size.x, PIXEL_BYTES) as u64 * u64::from(size.y);
         let buffer = create_buffer(context.render_device(), "copied levels", bytes, usage);
         *copy = Some(Copied { size, buffer });
     }
     let Some(Copied { buffer, .. }) = &*copy else {
         return;
     };
-    context.command_encoder().copy_texture_to_buffer(
-        TexelCopyTextureInfo {
-            origin: Origin3d {
-                x: origin.x,
-                y: origin.y,
-                z: 0,
-            },
-            ..texture.as_image_copy()
-        },
-        TexelCopyBufferInfo {
-            buffer,
-            layout: TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(row as u32),
-                rows_per_image: None,
-            },
-        },
-        size.to_extents(),
+    let source = texture.as_image_copy();
+    copy_part(
+        context.command_encoder(),
+        source,
+        part,
+        (buffer, PIXEL_BYTES),
     );
 }

@@ -23,8 +23,9 @@ const TILES_BYTES: u64 = 400 << 20;
 const STRIP_PIXEL_BYTES: u64 = 24;
 const STRIP_ROWS: u64 = 512;
 
-/// The values of the rows that are encoded at once exist as numbers, as blocks and as compressed ones.
-const COPIES_OF_VALUES: u64 = 3;
+/// The rows that are encoded at once exist as the numbers of rays, as channels, as blocks and as compressed
+/// blocks: so many copies of their values, measured and rounded up.
+const COPIES_OF_VALUES: u64 = 6;
 
 /// Checks that there is memory for a picture, before minutes are spent on it.
 pub(super) fn check_memory(

@@ -47,6 +47,13 @@ pub(super) fn tiling(
     if !is_large && bits == PngBits::Eight {
         return Ok(None);
     }
+    if args.timings.is_some() && is_large {
+        return Err(Stop::refused(format!(
+            "--timings: a picture of {} x {} pixels is drawn in tiles, which are not timed; give a --size of at most \
+             {MAX_PICTURE_SIDE} pixels to a side and {MAX_UNTILED_PIXELS} in all",
+            size.x, size.y
+        )));
+    }
     if has_cells {
         let why = if is_long {
             format!("a picture of more than {MAX_PICTURE_SIDE} pixels to a side has no cells")
@@ -60,13 +67,6 @@ pub(super) fn tiling(
             "lightfall: {why}: every pixel is shown, as with --cells off"
         ));
         scene.picture.bypass = true;
-    }
-    if args.timings.is_some() && is_large {
-        return Err(Stop::refused(format!(
-            "--timings: {} x {} pixels are drawn in tiles, whose passes have no common time; the passes of \
-             up to {MAX_UNTILED_PIXELS} pixels are timed",
-            size.x, size.y
-        )));
     }
     let tiles = if is_large {
         Tiles::of(size)
