@@ -61,8 +61,8 @@ pub(super) fn check_memory(
              --size{or_fewer}",
             size.x,
             size.y,
-            gigabytes(needed),
-            gigabytes(free),
+            amount(needed),
+            amount(free),
         ))),
         _ => Ok(()),
     }
@@ -94,15 +94,20 @@ pub(super) fn check_space(
             file.display(),
             size.x,
             size.y,
-            gigabytes(needed),
-            gigabytes(free),
+            amount(needed),
+            amount(free),
         ))),
         _ => Ok(()),
     }
 }
 
-pub(super) fn gigabytes(bytes: u64) -> String {
-    format!("{:.1} GB", bytes as f64 / 1e9)
+/// An amount of bytes in words, such as `1.2 GB`.
+fn amount(bytes: u64) -> String {
+    if bytes < 1_000_000_000 {
+        format!("{:.0} MB", bytes as f64 / 1e6)
+    } else {
+        format!("{:.1} GB", bytes as f64 / 1e9)
+    }
 }
 
 /// Checks that the times of the passes can be written, and not to the picture's file.
