@@ -24,28 +24,11 @@ struct Presentation {
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
 
-// Light, with black in place of NaN, found by its bits: a compiler may assume that NaN does not
-// occur.
-fn number_or_black(light: vec3<f32>) -> vec3<f32> {
-    let size = bitcast<vec3<u32>>(light) & vec3<u32>(0x7fffffffu);
-    return select(light, vec3<f32>(0.0), size > vec3<u32>(0x7f800000u));
-}
-
-// Light of a pixel of the picture. Bevy's tone curve divides by the luminance, so that black
-// becomes NaN. Alpha, zero in the shadow, removes the light that bloom has added there.
+// Light of a pixel of the picture. Alpha, zero in the shadow, removes the light that bloom has added
+// there.
 fn light_of(pixel: vec2<u32>) -> vec3<f32> {
     let texel = textureLoad(source, pixel, 0);
-    return select(1.0, texel.a, presentation.bloom != 0u) * number_or_black(texel.rgb);
-}
-
-// sRGB transfer function and its inverse (IEC 61966-2-1).
-fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
-    let c = clamp(linear, vec3<f32>(0.0), vec3<f32>(1.0));
-    return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3<f32>(0.0031308));
-}
-
-fn srgb_decode(encoded: vec3<f32>) -> vec3<f32> {
-    return select(pow((encoded + 0.055) / 1.055, vec3<f32>(2.4)), encoded / 12.92, encoded <= vec3<f32>(0.04045));
+    return select(1.0, texel.a, presentation.bloom != 0u) * texel.rgb;
 }
 
 // Rank, 0 to 15, of a cell in the 4x4 Bayer pattern: the bits of x xor y and of y, interleaved.
@@ -144,26 +127,18 @@ fn expand(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(textureLoad(source, cell, 0).rgb, 1.0);
 }
 
-// Interleaved gradient noise, strictly between 0 and 1, whose mean over a few neighbouring pixels
-// is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced
-// Warfare").
-fn noise(place: vec2<f32>) -> f32 {
-    return mix(0.001, 0.999, fract(52.9829189 * fract(dot(place, vec2<f32>(0.06711056, 0.00583715)))));
-}
-
-// Rounds perceptual channel values to 8 bits with noise, which preserves their mean, so that
-// gradients show no bands. Black and white do not change.
-fn to_eight_bits(encoded: vec3<f32>, place: vec2<f32>) -> vec3<f32> {
-    return min(floor(encoded * 255.0 + noise(place)), vec3<f32>(255.0)) / 255.0;
-}
-
-// Scales the tone-mapped picture itself, if the cells are bypassed.
+// Scales the tone-mapped picture itself, if the cells are bypassed, or shows it pixel by pixel.
 @fragment
 fn fit(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let uv = image_position(position);
     if is_outside(uv) {
         return vec4<f32>(0.0, 0.0, 0.0, 1.0);
     }
-    let light = interpolated_light(uv * vec2<f32>(presentation.picture));
-    return vec4<f32>(srgb_decode(to_eight_bits(srgb_encode(light), position.xy)), 1.0);
+    var light: vec3<f32>;
+    if all(presentation.extent == vec2<f32>(presentation.picture)) {
+        light = light_of(vec2<u32>(position.xy - presentation.offset));
+    } else {
+        light = interpolated_light(uv * vec2<f32>(presentation.picture));
+    }
+    return vec4<f32>(srgb_decode(to_levels(srgb_encode(light), 255.0, position.xy) / 255.0), 1.0);
 }

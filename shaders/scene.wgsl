@@ -120,7 +120,7 @@ struct Picture {
     // Size of the whole picture, which the field of view fills; upper left corner and size of the
     // part that is drawn. In pixels.
     whole: vec2<f32>,
-    origin: vec2<f32>,
+    origin: vec2<u32>,
     size: vec2<f32>,
     // Where the upper left corner of the part is drawn in the target, in pixels.
     corner: vec2<f32>,

@@ -1,5 +1,5 @@
 // The perspective projection; the twin in f64 is scene/projection.rs. Places are in pixels from the
-// upper left corner of the part of the picture that is drawn, and directions are (right, up,
+// upper left corner of the whole picture, and directions are (right, up,
 // forward) of the camera. scene.picture.projection holds the tangents of half the field of view,
 // horizontal and vertical.
 //
@@ -10,7 +10,7 @@ var<private> ray_solid_angle: f32;
 
 // The unit direction that is seen at a place.
 fn pixel_direction(place: vec2<f32>) -> vec3<f32> {
-    let across = (place + scene.picture.origin) / scene.picture.whole * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
+    let across = place / scene.picture.whole * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
     let direction = normalize(vec3<f32>(across * scene.picture.projection, 1.0));
     // That of the middle pixel times the cube of the cosine of the angle off the axis.
     ray_solid_angle = scene.picture.middle_solid_angle * direction.z * direction.z * direction.z;
@@ -20,7 +20,7 @@ fn pixel_direction(place: vec2<f32>) -> vec3<f32> {
 // The place at which a direction in front of the camera is seen: the inverse of pixel_direction.
 fn project(direction: vec3<f32>) -> vec2<f32> {
     let across = direction.xy / direction.z / scene.picture.projection;
-    return (across * vec2<f32>(0.5, -0.5) + 0.5) * scene.picture.whole - scene.picture.origin;
+    return (across * vec2<f32>(0.5, -0.5) + 0.5) * scene.picture.whole;
 }
 
 // Whether a direction is seen within the whole picture or at most `margin` pixels beside it.
@@ -38,7 +38,7 @@ fn shown_place(place: vec2<f32>) -> vec2<f32> {
 
 // The solid angle in steradians of the pixel with its middle at this place.
 fn pixel_solid_angle(place: vec2<f32>) -> f32 {
-    let tangents = ((place + scene.picture.origin) / scene.picture.whole * 2.0 - 1.0) * scene.picture.projection;
+    let tangents = (place / scene.picture.whole * 2.0 - 1.0) * scene.picture.projection;
     let cosine = inverseSqrt(1.0 + dot(tangents, tangents));
     let side = 2.0 * scene.picture.projection / scene.picture.whole;
     return side.x * side.y * cosine * cosine * cosine;

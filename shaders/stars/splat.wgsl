@@ -47,12 +47,15 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
         sums += vec2<f32>(profile(offset.x, stretch), profile(offset.y, stretch));
     }
     let whole = 1.0 / max(sums.x * sums.y, 1e-30);
+    // The squares of the part that is drawn. Places are those of the whole picture, so that every part
+    // gets the light that the whole picture has there.
     let size = vec2<i32>(ceil(scene.picture.size / side));
+    let corner = vec2<i32>(scene.picture.origin / max(stars.sums_side, 1u));
     for (var row = 0u; row < width; row++) {
         for (var column = 0u; column < width; column++) {
             let middle = first + vec2<f32>(f32(column), f32(row)) + 0.5;
             let shown = shown_place(middle * side);
-            let at = vec2<i32>(floor(shown / side));
+            let at = vec2<i32>(floor(shown / side)) - corner;
             if any(at < vec2<i32>(0)) || any(at >= size) {
                 continue;
             }

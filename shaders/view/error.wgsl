@@ -9,7 +9,7 @@
 
 fn light_at(place: vec2<f32>) -> vec4<f32> {
     let grid = vec2<f32>(f32(ERROR_COLUMNS), f32(ERROR_ROWS));
-    let cell = vec2<u32>(clamp((place + scene.picture.origin) / scene.picture.whole * grid, vec2<f32>(0.0), grid - 1.0));
+    let cell = vec2<u32>(clamp(place / scene.picture.whole * grid, vec2<f32>(0.0), grid - 1.0));
     let index = cell.y * ERROR_COLUMNS + cell.x;
     let error = errors[index / 4u][index % 4u];
     if error == UNKNOWN {

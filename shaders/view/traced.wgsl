@@ -1,4 +1,4 @@
-// The light at a place of the picture, in pixels from its upper left corner: that of the ray
+// The light at a place of the whole picture, in pixels from its upper left corner: that of the ray
 // through it.
 //
 // Gives: light_at.

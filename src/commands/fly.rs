@@ -15,7 +15,7 @@ use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::mission::Mission;
-use lightfall_core::scene::{Output, Scene};
+use lightfall_core::scene::{Output, Scene, drawn_at_once};
 use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, Studio};
 use lightfall_platform::log::say;
@@ -149,7 +149,9 @@ fn draw_instead(
     say(format_args!(
         "lightfall: no display ({reason}); rendering {what} to a picture instead"
     ));
-    let scene = exposed(&scene);
+    let mut scene = exposed(&scene);
+    // The picture of a window. Larger ones, which take long, are drawn by `lightfall render` alone.
+    scene.picture = drawn_at_once(&scene.picture);
     let size = scene.picture.size();
     let options = HeadlessOptions {
         stars,

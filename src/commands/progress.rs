@@ -113,9 +113,14 @@ impl Progress {
 
     fn say(&self, text: &str) {
         let line = format!("lightfall: {} {text}", self.command);
+        self.without_bar(|| say(&line));
+    }
+
+    /// Writes something while the bar is away.
+    pub(super) fn without_bar<T>(&self, write: impl FnOnce() -> T) -> T {
         match &self.bar {
-            Some(bar) => bar.suspend(|| say(&line)),
-            None => say(&line),
+            Some(bar) => bar.suspend(write),
+            None => write(),
         }
     }
 }

@@ -2,13 +2,15 @@
 
 mod checks;
 mod exr_options;
+mod large;
 mod notes;
 mod pictures;
 mod times;
 mod writer;
 
-use self::checks::{check_files, check_memory, check_times_file};
+use self::checks::{check_files, check_memory, check_space, check_times_file};
 use self::exr_options::{exr_form, exr_option};
+use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
@@ -19,8 +21,10 @@ use super::output::print;
 use super::progress::{LongWork, progress};
 use super::scene::{note_missing_stars, on_stage, scene, stars};
 use super::stop::Stop;
+use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Scene, resized};
+use lightfall_picture as picture;
 use lightfall_picture::{Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
 
@@ -36,7 +40,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         .map(|frames| sequence(args, frames, &scene))
         .transpose()?;
     let format = check_files(&args.out, sequence.as_ref())?;
-    let scene = with_size(args, scene);
+    let mut scene = with_size(args, scene);
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
@@ -53,6 +57,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
     }
+    let tiling = tiling(args, format, &mut scene)?;
     let pictures = Pictures {
         format,
         scene,
@@ -60,10 +65,23 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         sequence,
     };
     pictures.check()?;
-    check_memory(pictures.scene.picture.size(), format, args.aov.as_ref())?;
+    let channels = args
+        .aov
+        .clone()
+        .unwrap_or_default()
+        .of_scene(&pictures.scene);
+    let form = exr_form(args);
+    check_memory(&pictures.scene, format, (&channels, form), tiling.as_ref())?;
+    if let Some(tiling) = &tiling {
+        check_space(&pictures, &channels, tiling)?;
+    }
 
     let size = pictures.scene.picture.size();
-    if format != Format::Exr && args.size.is_some() && args.scene.cells.is_none() {
+    if tiling.is_none()
+        && format != Format::Exr
+        && args.size.is_some()
+        && args.scene.cells.is_none()
+    {
         note_cells(&pictures.scene.picture);
     }
     note_unseen_stars(args, &pictures.scene);
@@ -78,27 +96,32 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         ..HeadlessOptions::default()
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
-    let first_scene = drawn_scene(&first_scene, format);
+    let studio = match &tiling {
+        Some(tiling) => {
+            let first_scene = picture::exposed(&first_scene)?;
+            let options = tiling.options(&first_scene, options);
+            // The levels of a file do not come from the image that a window would show.
+            Studio::with_options(&first_scene, UVec2::ONE, options)?
+        }
+        None => Studio::with_options(&drawn_scene(&first_scene, format), size, options)?,
+    };
     let mut writer = PictureWriter {
-        studio: Studio::with_options(&first_scene, size, options)?,
+        studio,
         format,
-        channels: args
-            .aov
-            .clone()
-            .unwrap_or_default()
-            .of_scene(&pictures.scene),
-        form: exr_form(args),
+        tiling,
+        progress: tiling
+            .map(|tiling| tiling.progress(&first_scene, format, pictures.numbers().len())),
+        channels,
+        form,
         rays: None,
         animation: None,
         still: None,
         frames: pictures.numbers().len() as u32,
         fps: args.frames.map(|_| args.fps),
     };
-    let _patience = pictures
-        .sequence
-        .is_none()
+    let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
-    let bar = if pictures.sequence.is_some() {
+    let bar = if pictures.sequence.is_some() && tiling.is_none() {
         progress(pictures.numbers().len())
     } else {
         ProgressBar::hidden()
@@ -108,11 +131,18 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         bar.set_message(file.display().to_string());
         writer.write(&scene, &file)?;
         if format != Format::Apng {
-            bar.suspend(|| print(&format!("{}\n", file.display())))?;
+            let name = || print(&format!("{}\n", file.display()));
+            match &writer.progress {
+                Some(progress) => progress.without_bar(name)?,
+                None => bar.suspend(name)?,
+            }
         }
         bar.inc(1);
     }
     bar.finish_and_clear();
+    if let Some(progress) = writer.progress.take() {
+        progress.finish();
+    }
     if let Some(animation) = writer.animation.take() {
         animation.finish()?;
         print(&format!("{}\n", args.out.display()))?;

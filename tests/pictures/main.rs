@@ -3,6 +3,7 @@
 
 mod animation;
 mod antialias;
+mod bloom;
 mod comparison;
 mod dither;
 mod embedded;
@@ -26,6 +27,7 @@ mod random_scene;
 mod redraw;
 mod sequences;
 mod stars;
+mod tiles;
 mod tilt;
 mod two_pictures;
 mod unit_of_light;

@@ -103,7 +103,7 @@ fn render_reads_a_size() {
         "5",
         "x",
         "axb",
-        "8193x1",
+        "32769x1",
         "-1x5",
         "1x2x3",
         "99999999999x1",
@@ -111,7 +111,7 @@ fn render_reads_a_size() {
     ] {
         let error = refuse(&format!("lightfall render -o a.png --size={size}")).to_string();
         assert!(
-            error.contains("a size is WxH, such as 960x540, each from 1 to 8192"),
+            error.contains("a size is WxH, such as 960x540, each from 1 to 32768"),
             "{error}"
         );
     }

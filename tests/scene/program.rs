@@ -56,6 +56,33 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
+            "render -o a.exr --bits 16",
+            "lightfall: --bits 16 is for a picture whose file's name ends in .png\n",
+        ),
+        (
+            "render -o a.png --bits 16 --cells on",
+            "lightfall: --cells on: a picture with 16 bits has no cells\n",
+        ),
+        (
+            "render -o a.png --size 8194x64 --cells on",
+            "lightfall: --cells on: a picture of more than 8192 pixels to a side has no cells\n",
+        ),
+        (
+            "render --frames 0..1 -o a.apng --size 8194x64",
+            "lightfall: --size: the pictures of an .apng have at most 8192 pixels to a side; numbered .png pictures \
+             may be larger\n",
+        ),
+        (
+            "render -o a.png --size 8194x64 --timings",
+            "lightfall: --timings: a picture of 8194 x 64 pixels is drawn in tiles, which are not timed; give a \
+             --size of at most 8192 pixels to a side and 8847360 in all\n",
+        ),
+        (
+            "render -o a.png --size 32768x32768",
+            "lightfall: --size: picture.height = 32768 is refused: it must be an integer from 1 to 16384 pixels \
+             (picture.width is 32768)\n",
+        ),
+        (
             "render -o a.png --exr piz",
             "lightfall: --exr is for pictures of linear light: the file's name must end in .exr\n",
         ),

@@ -154,6 +154,33 @@ numbers! { ACCUMULATION_NUMBERS:
     ACCUMULATION_SUM,
 }
 
+numbers! { PRINT_NUMBERS:
+    /// The uniform `Print`.
+    PRINT,
+    /// The developed picture.
+    PRINT_SOURCE,
+}
+
+numbers! { BLOOM_NUMBERS:
+    /// The uniform `Bloom`.
+    BLOOM,
+    /// What a step of the bloom reads.
+    BLOOM_SOURCE,
+    /// The sampler of [`BLOOM_SOURCE`].
+    BLOOM_SAMPLER,
+}
+
+numbers! { DEVELOPMENT_NUMBERS:
+    /// The uniform `Development`.
+    DEVELOPMENT,
+    /// The picture's light.
+    DEVELOPMENT_LIGHT,
+    /// The largest level of the bloom.
+    DEVELOPMENT_BLOOM,
+    /// The sampler of [`DEVELOPMENT_BLOOM`].
+    DEVELOPMENT_SAMPLER,
+}
+
 // The bindings of REFINE are in group 1: in group 0 it binds what the picture's shader does. EDGES
 // has a group of its own.
 numbers! { ANTIALIAS_NUMBERS:
@@ -175,6 +202,9 @@ fn all_constants() -> impl Iterator<Item = (&'static str, u32)> {
         PRESENTATION_NUMBERS,
         DIFFERENCE_NUMBERS,
         ACCUMULATION_NUMBERS,
+        BLOOM_NUMBERS,
+        PRINT_NUMBERS,
+        DEVELOPMENT_NUMBERS,
         ANTIALIAS_NUMBERS,
     ];
     ALL.iter()

@@ -25,7 +25,6 @@ impl Presentation {
     pub fn shader() -> ShaderText {
         let mut prelude = String::new();
         // A cell touches one pixel more than it is wide if its edges lie within pixels.
-        // A cell touches one pixel more than it is wide if its edges lie within pixels.
         add_u32(&mut prelude, "MAX_PIXELS_TOUCHED", MAX_PIXELS_PER_CELL + 1);
         let entries = ["vertex", "pixelate", "expand", "fit"];
         ShaderText::new(prelude, &entries, Vec::new())

@@ -4,7 +4,7 @@ use super::shader::text::add_constant;
 use super::sky_texture::TEXEL;
 use super::stars::{light_unit, sums_side};
 use encase::ShaderType;
-use glam::{DVec2, Mat3, Vec2, Vec4};
+use glam::{DVec2, Mat3, UVec2, Vec2, Vec4};
 use lightfall_model::scene::Scene;
 use lightfall_optics::milky_way::{MilkyWay, nebular};
 use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
@@ -31,7 +31,6 @@ impl GpuStarlight {
         let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
         // Rays are traced in the disk's frame.
         let celestial_from_rays = hole_from_celestial.transpose() * scene.disk.hole_from_disk();
-        let side = sums_side(scene.picture.size());
         Self {
             celestial_from_hole: celestial_from_rays.as_mat3(),
             magnitude_limit: depth.limit as f32,
@@ -40,8 +39,19 @@ impl GpuStarlight {
             nebular: nebular::table().map(|colour| colour.extend(0.0).as_vec4()),
             texel: TEXEL as f32,
             light_unit: light_unit(scene) as f32,
+            ..Self::default()
+        }
+        .of_part(scene.picture.size())
+    }
+
+    /// The numbers for a part of this size of the scene's picture.
+    #[must_use]
+    pub fn of_part(self, size: UVec2) -> Self {
+        let side = sums_side(size);
+        Self {
             squares_per_pixel: 1.0 / side as f32,
-            columns: scene.picture.width.div_ceil(side),
+            columns: size.x.div_ceil(side),
+            ..self
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::file::PictureError;
 use super::still::Still;
 use glam::UVec2;
-use lightfall_platform::storage::{PictureRecord, add_record, write_atomically};
+use lightfall_platform::storage::{PictureRecord, set_up_png, write_atomically};
 use std::io::{self, Write};
 use std::mem;
 use std::path::{Path, PathBuf};
@@ -50,15 +50,13 @@ impl Animation {
         let fault = |error: png::EncodingError| encoding_fault(path, &error);
         let bytes = Bytes::default();
         let mut encoder = png::Encoder::new(bytes.clone(), size.x, size.y);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
+        set_up_png(&mut encoder, png::BitDepth::Eight, record).map_err(fault)?;
         encoder.set_compression(png::Compression::High);
         encoder.set_animated(count, 0).map_err(fault)?;
         let delay = (f64::from(DELAY_PARTS) / fps).round();
         encoder
             .set_frame_delay(delay.clamp(1.0, f64::from(u16::MAX)) as u16, DELAY_PARTS)
             .map_err(fault)?;
-        add_record(&mut encoder, record).map_err(fault)?;
         Ok(Self {
             path: path.into(),
             bytes,

@@ -8,6 +8,7 @@ use lightfall_core::optics::disk;
 use lightfall_core::optics::disk::Profile;
 use lightfall_core::optics::trace::{Hit, Trace};
 use lightfall_core::scene::{Disk, Scene};
+use std::ops::Range;
 use std::str::FromStr;
 
 /// A channel: one number per pixel.
@@ -254,13 +255,28 @@ impl PixelRays {
         channels: &Channels,
         depth: &[f32],
     ) -> Result<Vec<Vec<f32>>, GpuError> {
-        let pixels = scene.picture.width as usize * scene.picture.height as usize;
-        let mut samples = vec![Vec::with_capacity(pixels); channels.list().len()];
+        self.sample_rows(scene, channels, 0..scene.picture.height, depth)
+    }
+
+    /// The same for some rows of the picture; `depth` has those rows only.
+    ///
+    /// # Errors
+    /// As [`sample`](Self::sample).
+    pub fn sample_rows(
+        &mut self,
+        scene: &Scene,
+        channels: &Channels,
+        rows: Range<u32>,
+        depth: &[f32],
+    ) -> Result<Vec<Vec<f32>>, GpuError> {
+        let width = scene.picture.width as usize;
+        let [before, end] = [rows.start, rows.end].map(|row| row as usize * width);
+        let mut samples = vec![Vec::with_capacity(end - before); channels.list().len()];
         let any = |is: fn(&Value) -> bool| channels.list().iter().any(|c| is(&c.value));
         let traced = any(|value| matches!(value, Value::Number(_) | Value::Count(_)));
         let passed = any(|value| matches!(value, Value::Matter(_)));
-        for first in (0..pixels).step_by(BATCH) {
-            let batch = first..pixels.min(first + BATCH);
+        for first in (before..end).step_by(BATCH) {
+            let batch = first..end.min(first + BATCH);
             let traces = if traced {
                 self.trace(scene, batch.clone())?
             } else {
@@ -292,7 +308,9 @@ impl PixelRays {
                             number(passage).map_or(f32::NAN, |number| number as f32)
                         }))
                     }
-                    Value::Depth => samples.extend(&depth[batch.clone()]),
+                    Value::Depth => {
+                        samples.extend(&depth[batch.start - before..batch.end - before]);
+                    }
                 }
             }
         }
@@ -300,11 +318,7 @@ impl PixelRays {
     }
 
     /// Traces a range of pixels, numbered along the rows.
-    fn trace(
-        &mut self,
-        scene: &Scene,
-        pixels: std::ops::Range<usize>,
-    ) -> Result<Vec<Trace>, GpuError> {
+    fn trace(&mut self, scene: &Scene, pixels: Range<usize>) -> Result<Vec<Trace>, GpuError> {
         let variant = Variant::rays(scene);
         let kernel = match self.kernel.take() {
             Some((known, kernel)) if known == variant => kernel,
@@ -322,7 +336,7 @@ impl PixelRays {
     fn passages(
         &mut self,
         scene: &Scene,
-        pixels: std::ops::Range<usize>,
+        pixels: Range<usize>,
     ) -> Result<Vec<GpuPassage>, GpuError> {
         if !scene.has_medium() {
             return Ok(vec![GpuPassage::without_matter(); pixels.len()]);

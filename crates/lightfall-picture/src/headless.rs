@@ -14,11 +14,11 @@ use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use lightfall_core::gpu::{Drawable, driver_advice};
 use lightfall_core::optics::stars::Catalogue;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, Part, Scene};
 use lightfall_platform::log::quiet_log;
 use lightfall_render::{
-    AwaitErrorMap, Capture, LightfallRenderPlugin, Progress, RestingFrames, StarCatalogue,
-    is_drawn, render_plugin,
+    AwaitErrorMap, Capture, CurrentFrame, LightfallRenderPlugin, Prints, Progress, RestingFrames,
+    StarCatalogue, is_drawn, render_plugin,
 };
 use std::env::consts::OS;
 
@@ -37,6 +37,10 @@ pub struct HeadlessOptions {
     pub light: bool,
     /// Draw pictures as a window on a software renderer does while something moves.
     pub moving: bool,
+    /// Make the levels of a file, of which this is the highest.
+    pub levels: Option<u16>,
+    /// Draw this part of the first scene's picture; `None` for all of it.
+    pub part: Option<Part>,
     /// Draw these stars.
     pub stars: &'static Catalogue,
 }
@@ -47,6 +51,8 @@ impl Default for HeadlessOptions {
             timed: false,
             light: false,
             moving: false,
+            levels: None,
+            part: None,
             stars: Catalogue::built_in(),
         }
     }
@@ -90,7 +96,7 @@ pub(super) fn headless(
     }
     check_size("size", size)?;
     let picture = scene.picture.size();
-    check_size("picture", picture)?;
+    check_size("picture", options.part.map_or(picture, |part| part.size))?;
     let scene = drawable(scene)?;
     let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
@@ -99,12 +105,17 @@ pub(super) fn headless(
     if options.light {
         app.init_resource::<Capture>();
     }
-    app.insert_resource(AwaitErrorMap(true))
-        .insert_resource(StarCatalogue(options.stars))
+    app.insert_resource(AwaitErrorMap(true));
+    if let Some(top) = options.levels {
+        app.insert_resource(Prints::to(top));
+    }
+    let frame = Frame::of(&scene).with_part(options.part);
+    app.insert_resource(StarCatalogue(options.stars))
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::Image(output.clone().into()),
-        });
+        })
+        .insert_resource(CurrentFrame(frame));
     if options.moving {
         app.insert_resource(RestingFrames::in_motion());
     }

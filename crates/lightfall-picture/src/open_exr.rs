@@ -6,6 +6,7 @@ use super::file::PictureError;
 use super::{Channels, exr_header};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
+use glam::UVec2;
 use lightfall_core::optics::photometry::DISK_HDR_SCALE;
 use lightfall_core::scene::Scene;
 use lightfall_platform::storage::{PictureRecord, header_text, preset_pieces, write_atomically};
@@ -58,23 +59,10 @@ pub struct Linear<'a> {
 /// # Errors
 /// The encoding failed, or the file cannot be written.
 pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), PictureError> {
-    let size = Vec2(picture.light.size.x as usize, picture.light.size.y as usize);
-    let attributes = attributes(&picture);
+    let size = picture.light.size;
     let image = Image {
-        attributes: ImageAttributes {
-            chromaticities: Some(rec_709()),
-            ..ImageAttributes::with_size(size)
-        },
-        layer_data: Layer {
-            size,
-            attributes,
-            encoding: Encoding {
-                compression: picture.form.compression.method(),
-                blocks: Blocks::ScanLines,
-                line_order: LineOrder::Increasing,
-            },
-            channel_data: channels(picture),
-        },
+        attributes: file_attributes(size),
+        layer_data: layer(picture, size),
     };
     let fault = |reason: String| PictureError::Encode {
         path: path.into(),
@@ -91,6 +79,48 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
     exr_header::sort_attributes(&mut bytes)
         .ok_or_else(|| fault("its header cannot be read".into()))?;
     Ok(write_atomically(path, &bytes)?)
+}
+
+/// The attributes of the file of a picture of this size.
+pub(super) fn file_attributes(size: UVec2) -> ImageAttributes {
+    ImageAttributes {
+        chromaticities: Some(rec_709()),
+        ..ImageAttributes::with_size(Vec2(size.x as usize, size.y as usize))
+    }
+}
+
+/// The only layer of the file of a picture of this size.
+pub(super) fn layer(picture: Linear, size: UVec2) -> Layer<AnyChannels<FlatSamples>> {
+    Layer {
+        size: Vec2(size.x as usize, size.y as usize),
+        attributes: attributes(&picture),
+        encoding: Encoding {
+            compression: picture.form.compression.method(),
+            blocks: Blocks::ScanLines,
+            line_order: LineOrder::Increasing,
+        },
+        channel_data: channels(picture),
+    }
+}
+
+impl Linear<'_> {
+    /// The same picture with other rows.
+    pub(super) fn with_rows(&self, light: Captured, samples: Vec<Vec<f32>>) -> Self {
+        Self {
+            record: self.record.clone(),
+            light,
+            samples,
+            ..*self
+        }
+    }
+
+    /// The same picture without rows.
+    pub(super) fn without_rows(&self) -> Self {
+        self.with_rows(
+            Captured::empty(),
+            vec![Vec::new(); self.channels.list().len()],
+        )
+    }
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {

@@ -5,11 +5,11 @@ use super::headless::{HeadlessOptions, MAX_UPDATES, drawable, headless};
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::{RenderAdapterInfo, RenderDevice};
-use lightfall_core::scene::{Frame, Scene, fit};
+use lightfall_core::scene::{Frame, Part, Scene, fit};
 use lightfall_platform::storage::PictureRecord;
 use lightfall_render::{
-    Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
-    StarCatalogue,
+    Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, GivenLight,
+    NEAR_PLANE, Pinned, Printed, Prints, StarCatalogue,
 };
 use wgpu::DeviceType;
 
@@ -40,6 +40,8 @@ pub struct Studio {
     /// The image that the last pass writes, and its size.
     output: Handle<Image>,
     size: UVec2,
+    /// The part of the scene's picture that is drawn; `None` for all of it.
+    part: Option<Part>,
 }
 
 /// The bytes that were read back.
@@ -73,7 +75,12 @@ impl Studio {
     ) -> Result<Self, PictureError> {
         let (mut app, output) = headless(scene, size, options)?;
         app.init_resource::<Finished>();
-        let mut studio = Self { app, output, size };
+        let mut studio = Self {
+            app,
+            output,
+            size,
+            part: options.part,
+        };
         studio.settle()?;
         Ok(studio)
     }
@@ -84,10 +91,50 @@ impl Studio {
     /// The scene cannot be drawn.
     pub fn show(&mut self, scene: &Scene) -> Result<(), PictureError> {
         let scene = drawable(scene)?;
+        let frame = Frame::of(&scene).with_part(self.part);
         let world = self.app.world_mut();
-        world.resource_mut::<CurrentFrame>().0 = Frame::of(&scene);
+        world.resource_mut::<CurrentFrame>().0 = frame;
         world.resource_mut::<CurrentScene>().0 = scene;
         Ok(())
+    }
+
+    /// Draws a part of the picture of a scene from the next frame on.
+    ///
+    /// # Errors
+    /// The scene cannot be drawn.
+    pub fn show_part(&mut self, scene: &Scene, part: Part) -> Result<(), PictureError> {
+        self.part = Some(part);
+        if self.scene() != scene {
+            return self.show(scene);
+        }
+        // The same scene needs no new numbers.
+        let mut frame = self.app.world_mut().resource_mut::<CurrentFrame>();
+        frame.0 = Frame::of(scene).with_part(Some(part));
+        Ok(())
+    }
+
+    /// Gives the light of the part that is shown, in place of its rays, or ends doing so.
+    pub fn give_light(&mut self, light: Option<Vec<u8>>) {
+        let given = light.map_or_else(GivenLight::default, GivenLight::new);
+        self.app.world_mut().insert_resource(given);
+    }
+
+    /// The levels of a file of what is shown. The studio must make them.
+    ///
+    /// # Errors
+    /// Drawing failed, or the studio makes no levels.
+    pub fn levels(&mut self) -> Result<Printed, PictureError> {
+        self.settle()?;
+        let world = self.app.world();
+        let (Some(prints), Some(device)) = (
+            world.get_resource::<Prints>(),
+            world.get_resource::<RenderDevice>(),
+        ) else {
+            return Err(PictureError::Draw(
+                "nothing makes the levels of a file".into(),
+            ));
+        };
+        prints.read(device).map_err(PictureError::Draw)
     }
 
     /// The scene that is shown. Its exposure is the metered one where the exposure is automatic.
@@ -175,7 +222,8 @@ impl Studio {
     pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
         let scene = self.scene().clone();
         if !scene.probe.enabled {
-            let pixels = scene.picture.size().as_usizevec2().element_product();
+            let size = self.part.map_or(scene.picture.size(), |part| part.size);
+            let pixels = size.as_usizevec2().element_product();
             return Ok(vec![f32::INFINITY; pixels]);
         }
         // A pixel with several samples has several depths, which cannot be copied. The scene is

@@ -7,6 +7,7 @@
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
+use crate::given_light::traces_light;
 use crate::graphics::{Graphics, TexturePair, picture_size};
 use crate::live_shaders::add_shader;
 use crate::progress::DrawnFrame;
@@ -56,7 +57,8 @@ pub(super) fn plugin(app: &mut App) {
             Core3d,
             accumulate_frame
                 .in_set(Core3dSystems::MainPass)
-                .after(refine_edges),
+                .after(refine_edges)
+                .run_if(traces_light),
         );
 }
 

@@ -3,7 +3,7 @@
 
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
-use crate::drawn_scene::DrawnScene;
+use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::graphics::{ComputePipelines, create_buffer, create_target, picture_size};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
@@ -177,14 +177,14 @@ pub(super) fn edges_layout(samples: u32) -> BindGroupLayoutDescriptor {
 
 /// Creates what the search for edges needs, and drops it where edges are not refined.
 pub(super) fn prepare_antialias(
-    scene: Res<DrawnScene>,
+    (scene, part): (Res<DrawnScene>, Res<DrawnPart>),
     compared: Res<ComparedScene>,
     If(mut pass): If<ResMut<AntialiasPass>>,
     If(mut pipelines): If<ResMut<ComputePipelines>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
 ) {
-    let chain = Chain::of(&scene).comparing(&compared);
+    let chain = Chain::of(&scene).of_part(part.drawn()).comparing(&compared);
     if !chain.antialias {
         pass.0 = None;
         return;

@@ -3,7 +3,8 @@
 
 use crate::comparison::ComparedScene;
 use bevy::math::UVec2;
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::gpu::BloomLevels;
+use lightfall_core::scene::{Part, Scene, SkyMode};
 
 /// Rows of bloom's largest level: half the default picture's height. A finer level would take most
 /// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
@@ -40,9 +41,8 @@ pub struct Chain {
     pub shows_light: bool,
     /// How many frames are averaged, one at least.
     pub frames: u32,
-    /// Rows of bloom's largest level; `None` without bloom, as in views whose colours have a
-    /// meaning.
-    pub bloom: Option<u32>,
+    /// The textures of the bloom; `None` without bloom, as in views whose colours have a meaning.
+    pub bloom: Option<BloomLevels>,
     /// Size of the presentation grid; `None` where it is bypassed.
     pub cells: Option<UVec2>,
     /// Whether the picture shows the difference of two scenes.
@@ -89,9 +89,18 @@ impl Chain {
             } else {
                 1
             },
-            bloom: bloom.then_some(rows),
+            bloom: bloom.then_some(BloomLevels { picture, rows }),
             cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
             difference: false,
+        }
+    }
+
+    /// The chain that draws a part of the picture, if one is given.
+    #[must_use]
+    pub fn of_part(self, part: Option<Part>) -> Self {
+        Self {
+            picture: part.map_or(self.picture, |part| part.size),
+            ..self
         }
     }
 
@@ -142,7 +151,7 @@ impl Chain {
             optional(self.antialias, &["edges", "refine"]),
             optional(self.frames > 1, &["accumulate"]),
             optional(self.bloom.is_some(), &["bloom"]),
-            &["tonemapping"],
+            &["develop"],
             optional(self.cells.is_some(), &["pixelate"]),
             self.idle_passes(),
         ]
@@ -184,17 +193,18 @@ impl Chain {
                 levels: 1,
             })
             .collect();
-        textures.extend(self.bloom.map(|rows| {
-            WrittenTexture {
-                name: "bloom",
-                // Bevy sizes its bloom texture this way.
-                size: (self.picture.as_vec2() * (rows as f32 / self.picture.y as f32))
-                    .round()
-                    .as_uvec2()
-                    .max(UVec2::ONE),
-                format: "rg11b10ufloat",
-                levels: rows.ilog2().max(2) - 1,
-            }
+        let base = self.bloom.filter(|levels| levels.square() > 1);
+        textures.extend(base.map(|levels| WrittenTexture {
+            name: "base of the bloom",
+            size: levels.base(),
+            format: "rgba16float",
+            levels: 1,
+        }));
+        textures.extend(self.bloom.map(|levels| WrittenTexture {
+            name: "bloom",
+            size: levels.size(),
+            format: "rg11b10ufloat",
+            levels: levels.count(),
         }));
         textures.extend(self.cells.map(|size| WrittenTexture {
             name: "cells",

@@ -7,7 +7,7 @@ use crate::progress::{Drawn, Progress, SharedDrawn};
 use crate::resting_frames::{QuickFrames, RestingFrames};
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
-use lightfall_core::scene::{Frame, Scene};
+use lightfall_core::scene::{Frame, Part, Scene};
 
 /// Extra frames that a foreground is drawn before its picture is kept. Meshes and materials reach
 /// the GPU some frames after they are made, the lamps' clusters are sized by what an earlier frame
@@ -23,6 +23,8 @@ pub struct AlwaysDraw(pub bool);
 #[derive(Resource, Clone, ExtractResource)]
 pub(super) struct DrawRequest {
     pub(super) scene: Scene,
+    /// The part of its picture that is drawn; `None` for all of it.
+    pub(super) part: Option<Part>,
     /// The pinned scene that is compared with it.
     pub(super) compared: Option<(Scene, ComparisonLayout)>,
     /// How many frames are averaged.
@@ -42,7 +44,11 @@ pub(super) struct DrawRequest {
 }
 
 impl DrawRequest {
-    pub(super) fn new(scene: &Scene, compared: &ComparedScene, resting: RestingFrames) -> Self {
+    pub(super) fn new(
+        (scene, part): (&Scene, Option<Part>),
+        compared: &ComparedScene,
+        resting: RestingFrames,
+    ) -> Self {
         let chain = Chain::of(scene).comparing(compared);
         let frames = resting.of(&chain);
         Self {
@@ -51,6 +57,7 @@ impl DrawRequest {
             quick: resting.quick,
             foreground_frames: if chain.probe { FOREGROUND_FRAMES } else { 0 },
             scene: scene.without_presentation(),
+            part,
             compared: compared.without_presentation(),
             number: 0,
             look: 0,
@@ -61,11 +68,11 @@ impl DrawRequest {
     /// A request for another picture, which replaces this one's.
     pub(super) fn next(
         &self,
-        scene: &Scene,
+        drawn: (&Scene, Option<Part>),
         compared: &ComparedScene,
         resting: RestingFrames,
     ) -> Self {
-        let next = Self::new(scene, compared, resting);
+        let next = Self::new(drawn, compared, resting);
         let number = self.number + 1;
         let same_look = next.scene.without_clock() == self.scene.without_clock();
         Self {
@@ -112,9 +119,10 @@ impl DrawRequest {
         self.frames + u32::from(self.first_alone)
     }
 
-    /// Width and height of the picture, in pixels.
+    /// Width and height of what is drawn of the picture, in pixels.
     pub(super) fn picture_size(&self) -> UVec2 {
-        self.scene.picture.size()
+        self.part
+            .map_or(self.scene.picture.size(), |part| part.size)
     }
 
     /// The number of the next frame among those that are averaged; `None` for a frame that is shown

@@ -1,12 +1,13 @@
 //! The scene that was chosen, the frame that is drawn of it, and the two together, which is what
 //! the passes read.
 
+use crate::given_light::GivenLight;
 use bevy::app::MainScheduleOrder;
 use bevy::ecs::schedule::ScheduleLabel;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::Frame;
+use lightfall_core::scene::{Frame, Part};
 
 /// The scene as it was last chosen or flown: at its own size, with the exposure and the time of the
 /// disk that it was chosen with.
@@ -21,6 +22,58 @@ pub struct CurrentFrame(pub Frame);
 #[derive(Resource, Clone, Deref, ExtractResource, PartialEq)]
 pub struct DrawnScene(Drawable);
 
+/// Pixels around a part of a picture that are drawn with it, because the search for edges looks at a
+/// pixel's neighbours. An even number keeps the origin of what is drawn even.
+const APRON: u32 = 2;
+
+/// The part of the picture that is drawn; all of it by default. [`draw_scene_in_frame`] alone writes it.
+#[derive(Resource, Clone, Copy, Debug, Default, ExtractResource, PartialEq)]
+pub struct DrawnPart(Option<Parts>);
+
+/// A part of a picture, and the larger one that is drawn to get it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Parts {
+    wanted: Part,
+    drawn: Part,
+}
+
+impl DrawnPart {
+    /// The part of a frame, with an apron where its light is not given.
+    fn of(frame: &Frame, apron: u32) -> Self {
+        Self(frame.part().map(|wanted| {
+            let origin = wanted.origin.saturating_sub(UVec2::splat(apron));
+            let end = (wanted.origin + wanted.size + apron).min(frame.whole);
+            let drawn = Part {
+                origin,
+                size: end - origin,
+            };
+            Parts { wanted, drawn }
+        }))
+    }
+
+    /// The part that is drawn, with its apron; `None` for the whole picture.
+    pub(super) fn drawn(&self) -> Option<Part> {
+        self.0.map(|parts| parts.drawn)
+    }
+
+    /// The part that was asked for; `None` for the whole picture.
+    pub(super) fn wanted(&self) -> Option<Part> {
+        self.0.map(|parts| parts.wanted)
+    }
+
+    /// Where the part that was asked for lies in the target, which has this size in pixels.
+    pub(super) fn in_target(&self, size: UVec2) -> Part {
+        let whole = Part {
+            origin: UVec2::ZERO,
+            size,
+        };
+        self.0.map_or(whole, |Parts { wanted, drawn }| Part {
+            origin: wanted.origin - drawn.origin,
+            size: wanted.size,
+        })
+    }
+}
+
 /// The schedule between `Update`, in which the scene changes, and `PostUpdate`, in which it is
 /// prepared for the passes. The frame is written here.
 #[derive(ScheduleLabel, Clone, Debug, PartialEq, Eq, Hash)]
@@ -31,7 +84,11 @@ pub(super) fn insert(app: &mut App, scene: Drawable) {
     app.insert_resource(CurrentFrame(Frame::of(&scene)))
         .insert_resource(DrawnScene(scene.clone()))
         .insert_resource(CurrentScene(scene))
-        .add_plugins(ExtractResourcePlugin::<DrawnScene>::default())
+        .init_resource::<DrawnPart>()
+        .add_plugins((
+            ExtractResourcePlugin::<DrawnScene>::default(),
+            ExtractResourcePlugin::<DrawnPart>::default(),
+        ))
         .init_schedule(FrameScene)
         .add_systems(FrameScene, draw_scene_in_frame);
     app.world_mut()
@@ -42,10 +99,12 @@ pub(super) fn insert(app: &mut App, scene: Drawable) {
 /// Makes the scene that the passes read. Systems that write the frame come before.
 pub fn draw_scene_in_frame(
     scene: Res<CurrentScene>,
-    frame: Res<CurrentFrame>,
-    mut drawn: ResMut<DrawnScene>,
+    (frame, given): (Res<CurrentFrame>, Res<GivenLight>),
+    (mut drawn, mut part): (ResMut<DrawnScene>, ResMut<DrawnPart>),
 ) {
-    if scene.is_changed() || frame.is_changed() {
+    if scene.is_changed() || frame.is_changed() || given.is_changed() {
         drawn.set_if_neq(DrawnScene(scene.shown_in(&frame)));
+        let apron = if given.is_some() { 0 } else { APRON };
+        part.set_if_neq(DrawnPart::of(&frame, apron));
     }
 }

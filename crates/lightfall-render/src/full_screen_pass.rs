@@ -3,17 +3,18 @@
 use crate::graphics::{Graphics, run_render_pass};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
-use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
+use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
 use bevy::render::render_resource::encase::internal::WriteInto;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::RenderContext;
+use bevy::render::renderer::{RenderContext, RenderDevice};
 
-/// A pass with one shader. Its binding 0 is the uniform `U`, and its other bindings are textures
-/// that it reads texel by texel, in the order of its list in `gpu/bindings.rs`. Each stage of the
-/// pass is an entry point of the shader.
+/// A pass with one shader. Its binding 0 is the uniform `U`, and its other bindings are textures, which
+/// it reads texel by texel or with a sampler that comes last, in the order of its list in
+/// `gpu/bindings.rs`. Each stage of the pass is an entry point of the shader.
 pub(super) struct FullScreenPass<U: ShaderType> {
     shader: Handle<Shader>,
     layout: BindGroupLayoutDescriptor,
+    sampler: Option<Sampler>,
     uniform: UniformBuffer<U>,
     /// Those queued so far.
     pipelines: HashMap<Stage, CachedRenderPipelineId>,
@@ -32,9 +33,29 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
         Self {
             shader,
             layout: BindGroupLayoutDescriptor::new(name, &entries),
+            sampler: None,
             uniform: UniformBuffer::from(U::default()),
             pipelines: HashMap::default(),
         }
+    }
+
+    /// The pass with a sampler that interpolates linearly between texels.
+    pub(super) fn with_sampler(mut self, device: &RenderDevice) -> Self {
+        let entries = &mut self.layout.entries;
+        for entry in entries.iter_mut() {
+            if let BindingType::Texture { sample_type, .. } = &mut entry.ty {
+                *sample_type = TextureSampleType::Float { filterable: true };
+            }
+        }
+        let binding = entries.len() as u32;
+        let kind = sampler(SamplerBindingType::Filtering);
+        entries.push(kind.build(binding, ShaderStages::FRAGMENT));
+        self.sampler = Some(device.create_sampler(&SamplerDescriptor {
+            mag_filter: FilterMode::Linear,
+            min_filter: FilterMode::Linear,
+            ..default()
+        }));
+        self
     }
 
     /// Writes the uniform.
@@ -99,7 +120,8 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
             return false;
         };
         let textures = sources.iter().map(|source| source.into_binding());
-        let resources = std::iter::once(uniform).chain(textures);
+        let sampler = self.sampler.iter().map(|sampler| sampler.into_binding());
+        let resources = std::iter::once(uniform).chain(textures).chain(sampler);
         let entries: Vec<_> = (0..)
             .zip(resources)
             .map(|(binding, resource)| BindGroupEntry { binding, resource })

@@ -22,8 +22,9 @@ use crate::comparison::{
 };
 use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
-use crate::drawn_scene::DrawnScene;
+use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::error_map::ShownErrorMap;
+use crate::given_light::traces_light;
 use crate::graphics::{ComputePipelines, Graphics};
 use crate::live_shaders::LiveShaders;
 use crate::progress::DrawnFrame;
@@ -73,7 +74,8 @@ pub(super) fn plugin(app: &mut App) {
                 .chain()
                 .in_set(Core3dSystems::MainPass)
                 .after(main_opaque_pass_3d)
-                .before(main_transparent_pass_3d),
+                .before(main_transparent_pass_3d)
+                .run_if(traces_light),
         );
 }
 
@@ -95,7 +97,7 @@ fn create_geodesic_pass(
 
 /// Queues the pipelines of the scenes, and writes changed scenes once their pipelines exist.
 fn write_scenes(
-    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
+    (scene, part, compared): (Res<DrawnScene>, Res<DrawnPart>, Res<ComparedScene>),
     If(shaders): If<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
     request: Option<Res<DrawRequest>>,
@@ -119,6 +121,7 @@ fn write_scenes(
     let current = queue.all_of(&shaders.current);
     let pinned = shaders.pinned.as_ref().map(|pinned| queue.all_of(pinned));
     pass.changed |= scene.is_changed()
+        || part.is_changed()
         || shaders.is_changed()
         || errors.is_changed()
         || compared.is_changed()
@@ -138,6 +141,7 @@ fn write_scenes(
         layout: &pass.layout,
         errors: &errors.map,
         limits: *limits,
+        part: part.drawn(),
         lists: &mut lists,
         catalogue: *catalogue,
         request,

@@ -10,7 +10,8 @@
 //!   refine.rs        (EDGES -> REFINE)       more rays where edges pass, unless switched off
 //!   accumulate.rs    (ACCUMULATE)            the mean of several frames, where it is asked for
 //!   capture.rs       (copy)                  light and depth, only for pictures of linear light
-//!   scene_camera.rs  bloom -> tonemapping    Bevy's own
+//!   bloom.rs         bloom                   blurred light, where the scene has bloom
+//!   develop.rs       DEVELOP                 bloom, exposure and tone curve
 //! screen camera (Core2d, window or still)
 //!   presentation.rs  PIXELATE                area reduction, quantization, Bayer pattern
 //!                    EXPAND                  nearest expansion, letterbox (or FIT, when bypassed)
@@ -21,22 +22,26 @@
 
 mod accumulate;
 mod antialias;
+mod bloom;
 mod camera_markers;
 mod capture;
 mod chain;
 mod comparison;
 mod cost_report;
 mod detail_limits;
+mod develop;
 mod device;
 mod draw_request;
 mod drawn_scene;
 mod error_map;
 mod full_screen_pass;
 mod geodesic;
+mod given_light;
 mod graphics;
 mod live_shaders;
 mod pass_shaders;
 mod presentation;
+mod print;
 mod probe;
 mod progress;
 pub mod recovery;
@@ -59,9 +64,11 @@ pub use device::render_plugin;
 pub use draw_request::AlwaysDraw;
 pub use drawn_scene::{CurrentFrame, CurrentScene, DrawnScene, FrameScene, draw_scene_in_frame};
 pub use error_map::AwaitErrorMap;
+pub use given_light::GivenLight;
 pub use live_shaders::{LiveShaders, ShaderNews};
 pub use pass_shaders::{PassShader, pass_shaders};
 pub use presentation::{Letterbox, PictureArea, RestingSizes, letterbox};
+pub use print::{Printed, Prints};
 pub use progress::Progress;
 pub use redraw::is_drawn;
 pub use resting_frames::RestingFrames;
@@ -89,6 +96,7 @@ impl Plugin for LightfallRenderPlugin {
             .init_resource::<StarCatalogue>()
             .init_resource::<DetailLimits>()
             .init_resource::<RestingFrames>()
+            .init_resource::<GivenLight>()
             .add_plugins(ExtractResourcePlugin::<DetailLimits>::default())
             .add_plugins(comparison::plugin);
         scene_camera::insert(app, self.target.clone());
@@ -99,6 +107,10 @@ impl Plugin for LightfallRenderPlugin {
             stars::plugin,
             refine::plugin,
             accumulate::plugin,
+            given_light::plugin,
+            bloom::plugin,
+            develop::plugin,
+            print::plugin,
             error_map::plugin,
             capture::plugin,
             redraw::plugin,

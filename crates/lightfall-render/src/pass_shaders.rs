@@ -3,7 +3,8 @@
 use crate::chain::Chain;
 use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{
-    Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
+    Accumulation, Bloom, Developer, Difference, EdgeTraits, Presentation, Print, ShaderText,
+    Variant,
 };
 use lightfall_core::scene::Scene;
 
@@ -71,6 +72,23 @@ pub fn pass_shaders(scene: &Scene) -> Vec<PassShader> {
             &["vertex", "accumulate"],
             Accumulation::shader(),
         ),
+        PassShader::new(
+            "bloom",
+            &[
+                "over_all",
+                "bloom_base",
+                "bloom_first",
+                "bloom_shrink",
+                "bloom_spread",
+            ],
+            Bloom::shader(),
+        ),
+        PassShader::new(
+            "develop",
+            &["vertex", "develop"],
+            Developer::of(scene, chain.bloom.is_some()).shader(),
+        ),
+        PassShader::new("print", &["vertex", "print"], Print::shader()),
         PassShader::new(
             "pixelate, expand and fit",
             &["vertex", "pixelate", "expand", "fit"],

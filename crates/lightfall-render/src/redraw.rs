@@ -13,9 +13,10 @@
 use crate::camera_markers::SceneCamera;
 use crate::comparison::ComparedScene;
 use crate::draw_request::{AlwaysDraw, DrawRequest};
-use crate::drawn_scene::DrawnScene;
+use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::geodesic::{GeodesicShaders, select_geodesic_shaders};
+use crate::given_light::GivenLight;
 use crate::live_shaders::LiveShaders;
 use crate::progress::{DrawnFrame, Progress};
 use crate::resting_frames::RestingFrames;
@@ -31,7 +32,7 @@ use lightfall_core::scene::View;
 pub(super) fn plugin(app: &mut App) {
     let world = app.world();
     let request = DrawRequest::new(
-        world.resource::<DrawnScene>(),
+        (world.resource::<DrawnScene>(), None),
         world.resource::<ComparedScene>(),
         world.resource::<RestingFrames>().to_owned(),
     );
@@ -65,7 +66,7 @@ fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
 /// Makes a new request when the picture changes, activates the scene camera while a request is not
 /// drawn yet, and states the progress.
 fn wake_scene_camera(
-    scene: Res<DrawnScene>,
+    (scene, part, given): (Res<DrawnScene>, Res<DrawnPart>, Res<GivenLight>),
     compared: Res<ComparedScene>,
     shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
@@ -75,12 +76,14 @@ fn wake_scene_camera(
     mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
     // A system that writes the scene may have written the values it already had.
-    let changed = scene.is_changed() && request.scene != scene.without_presentation()
+    let changed = request.part != part.drawn()
+        || given.is_changed()
+        || scene.is_changed() && request.scene != scene.without_presentation()
         || compared.is_changed() && request.compared != compared.without_presentation()
         || resting.is_changed()
         || live.is_changed();
     if changed || errors.is_changed() && scene.view == View::Error {
-        *request = request.next(&scene, &compared, *resting);
+        *request = request.next((&scene, part.drawn()), &compared, *resting);
     }
     // Before the first picture of a device the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.

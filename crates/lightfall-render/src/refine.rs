@@ -8,6 +8,7 @@ use crate::antialias::{AntialiasPass, edges_layout, refinement_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::geodesic::GeodesicPass;
+use crate::given_light::traces_light;
 use crate::graphics::run_compute_pass;
 use crate::progress::DrawnFrame;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
@@ -25,7 +26,8 @@ pub(super) fn plugin(app: &mut App) {
         Core3d,
         refine_edges
             .in_set(Core3dSystems::MainPass)
-            .after(main_transparent_pass_3d),
+            .after(main_transparent_pass_3d)
+            .run_if(traces_light),
     );
 }
 

@@ -5,19 +5,19 @@ use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::capture::Capture;
 use crate::chain::Chain;
 use crate::comparison::{ComparedScene, follow_current_scene};
-use crate::drawn_scene::DrawnScene;
+use crate::drawn_scene::{DrawnPart, DrawnScene};
+use crate::given_light::GivenLight;
 use bevy::camera::{
     CameraMainTextureUsages, CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure,
-    Hdr, MsaaWriteback, RenderTarget,
+    Hdr, MsaaWriteback, RenderTarget, SubCameraView,
 };
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
-use bevy::post_process::bloom::Bloom;
 use bevy::prelude::*;
 use bevy::render::extract_component::ExtractComponentPlugin;
 use bevy::render::render_resource::TextureUsages;
-use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
-use lightfall_core::scene::{Scene, ToneCurve};
+use bevy::render::view::Msaa;
+use lightfall_core::scene::Part;
 
 /// Distance of the near plane from the scene camera, in r_s.
 pub const NEAR_PLANE: f32 = 1e-3;
@@ -44,7 +44,12 @@ pub(super) fn insert(app: &mut App, target: RenderTarget) {
         // Before Bevy computes transforms and projections, or the foreground would lag the traced
         // light by a frame.
         apply_scene_to_camera
-            .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>))
+            .run_if(
+                resource_changed::<DrawnScene>
+                    .or_eager(resource_changed::<DrawnPart>)
+                    .or_eager(resource_changed::<GivenLight>)
+                    .or_eager(resource_changed::<ComparedScene>),
+            )
             .after(follow_current_scene)
             .before(TransformSystems::Propagate)
             .before(CameraUpdateSystems),
@@ -83,7 +88,7 @@ fn spawn_cameras(
         },
         Hdr,
         Msaa::Off,
-        Tonemapping::KhronosPbrNeutral,
+        Tonemapping::None,
         DebandDither::Disabled,
         Exposure { ev100: UNIT_EV100 },
         // Every lamp lights the whole foreground.
@@ -104,36 +109,25 @@ fn spawn_cameras(
     ));
 }
 
-/// Sets the scene camera's size, projection, direction, exposure and bloom.
+/// Sets the scene camera's size, projection and direction.
 fn apply_scene_to_camera(
-    mut commands: Commands,
-    scene: Res<DrawnScene>,
+    (scene, part, given): (Res<DrawnScene>, Res<DrawnPart>, Res<GivenLight>),
     compared: Res<ComparedScene>,
     camera: Single<
         (
-            Entity,
+            &mut Camera,
             &mut RenderTarget,
             &mut Transform,
             &mut Projection,
-            &mut ColorGrading,
-            &mut Tonemapping,
             &mut Msaa,
             &mut CameraMainTextureUsages,
         ),
         With<SceneCamera>,
     >,
 ) {
-    let (
-        entity,
-        mut target,
-        mut transform,
-        mut projection,
-        mut grading,
-        mut tonemapping,
-        mut msaa,
-        mut usages,
-    ) = camera.into_inner();
-    let chain = Chain::of(&scene).comparing(&compared);
+    let (mut view, mut target, mut transform, mut projection, mut msaa, mut usages) =
+        camera.into_inner();
+    let chain = Chain::of(&scene).of_part(part.drawn()).comparing(&compared);
     msaa.set_if_neq(if chain.samples > 1 {
         Msaa::Sample4
     } else {
@@ -144,6 +138,9 @@ fn apply_scene_to_camera(
         // Refined pixels are stored by a compute pass.
         needed = needed.with(TextureUsages::STORAGE_BINDING);
     }
+    if given.is_some() {
+        needed = needed.with(TextureUsages::COPY_DST);
+    }
     if usages.0 != needed.0 {
         *usages = needed;
     }
@@ -151,10 +148,16 @@ fn apply_scene_to_camera(
     if !matches!(*target, RenderTarget::None { size: old } if old == size) {
         *target = RenderTarget::None { size };
     }
+    let whole = scene.picture.size();
+    view.sub_camera_view = part.drawn().map(|Part { origin, size }| SubCameraView {
+        full_size: whole,
+        offset: origin.as_vec2(),
+        size,
+    });
     // Bevy's meshes are drawn in perspective, whatever the scene's projection is.
     *projection = Projection::Perspective(PerspectiveProjection {
         fov: scene.camera.fov_deg.to_radians() as f32,
-        aspect_ratio: size.x as f32 / size.y as f32,
+        aspect_ratio: whole.x as f32 / whole.y as f32,
         near: NEAR_PLANE,
         ..default()
     });
@@ -163,34 +166,4 @@ fn apply_scene_to_camera(
     let axes = (scene.camera.tetrad() * scene.camera.tetrad_from_camera()).as_mat3();
     let backward = -axes.z_axis;
     transform.rotation = Quat::from_mat3(&Mat3::from_cols(axes.x_axis, axes.y_axis, backward));
-    *grading = ColorGrading {
-        global: ColorGradingGlobal {
-            exposure: scene.picture.exposure_ev as f32,
-            ..default()
-        },
-        ..default()
-    };
-    tonemapping.set_if_neq(tonemapping_of(&scene));
-    if let Some(rows) = chain.bloom {
-        commands.entity(entity).insert(Bloom {
-            intensity: scene.picture.bloom as f32,
-            max_mip_dimension: rows,
-            ..Bloom::NATURAL
-        });
-    } else {
-        commands.entity(entity).remove::<Bloom>();
-    }
-}
-
-/// Bevy's name of the scene's tone curve. The marks of a view have the colours of its legend.
-fn tonemapping_of(scene: &Scene) -> Tonemapping {
-    if !scene.view.shows_light() {
-        return Tonemapping::KhronosPbrNeutral;
-    }
-    match scene.picture.tone_curve {
-        ToneCurve::Neutral => Tonemapping::KhronosPbrNeutral,
-        ToneCurve::Soft => Tonemapping::SomewhatBoringDisplayTransform,
-        ToneCurve::Aces => Tonemapping::AcesFitted,
-        ToneCurve::Reinhard => Tonemapping::ReinhardLuminance,
-    }
 }

@@ -4,7 +4,7 @@
 use super::settings::PictureShape;
 use bevy::prelude::*;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
-use lightfall_core::scene::{fit, resized};
+use lightfall_core::scene::{drawn_at_once, fit, resized};
 use lightfall_render::letterbox;
 
 /// The window that the picture is drawn for.
@@ -71,7 +71,7 @@ impl Resolution {
                 shape: PictureShape::Window,
                 ..
             }) => resized(own, window.min(UVec2::splat(MAX_PICTURE_SIDE))),
-            _ => *own,
+            _ => drawn_at_once(own),
         }
     }
 
@@ -80,14 +80,16 @@ impl Resolution {
     #[must_use]
     pub fn at_rest(&self, own: &Picture) -> Picture {
         self.canvas
-            .map_or(*own, |canvas| canvas.fit(own, canvas.size))
+            .map_or_else(|| drawn_at_once(own), |canvas| canvas.fit(own, canvas.size))
     }
 
     /// As [`at_rest`](Self::at_rest), in a window without panels.
     #[must_use]
     pub fn at_rest_without_panels(&self, own: &Picture) -> Picture {
-        self.canvas
-            .map_or(*own, |canvas| canvas.fit(own, canvas.window))
+        self.canvas.map_or_else(
+            || drawn_at_once(own),
+            |canvas| canvas.fit(own, canvas.window),
+        )
     }
 
     /// The number of pixels of the picture at rest over the number that the scene asks for.

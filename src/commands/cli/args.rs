@@ -1,11 +1,11 @@
 //! The arguments of flying, of `lightfall render`, `trace` and `presets`, and of scenes.
 
-use super::size::size;
+use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
 use lightfall_picture::{
-    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, frame_rate,
+    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, frame_rate,
 };
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -98,11 +98,15 @@ pub struct RenderArgs {
     /// existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the picture in pixels, up to 8192 a side: short for --set picture.width and
-    /// picture.height. A .png keeps its large cells, about picture.grid_height rows of them; --cells
-    /// off shows every pixel [default: picture.width by picture.height]
-    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
+    /// Size of the picture in pixels, up to 32768 a side: short for --set picture.width and
+    /// picture.height. A .png of up to 8192 a side keeps its large cells, about picture.grid_height rows
+    /// of them; --cells off shows every pixel [default: picture.width by picture.height]
+    #[arg(long, value_name = "WxH", value_parser = file_size, allow_hyphen_values = true)]
     pub size: Option<UVec2>,
+    /// Bits of each channel of a .png. Sixteen are for further work on the picture, and show every pixel,
+    /// without cells [default: 8]
+    #[arg(long, value_name = "8|16", value_parser = PngBits::WORDS)]
+    pub bits: Option<String>,
     /// Channels of an .exr in addition to R, G, B and A, separated by commas: `all`, groups, or
     /// single channels, see below
     #[arg(long, value_name = "LIST")]

@@ -6,7 +6,7 @@ mod number;
 mod size;
 
 pub use args::{
-    Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
+    Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
 pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
 

@@ -1,9 +1,11 @@
 //! What `lightfall render` checks before it draws: files and memory.
 
+use super::large::Tiling;
+use super::pictures::Pictures;
 use crate::commands::stop::Stop;
-use glam::UVec2;
+use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
-use lightfall_picture::{Channels, Format, Frames, PictureError, Sequence};
+use lightfall_picture::{Channels, ExrForm, Format, Frames, PictureError, Sequence};
 use lightfall_platform::memory::free_memory;
 use lightfall_platform::storage;
 use std::path::{Path, absolute};
@@ -11,21 +13,41 @@ use std::path::{Path, absolute};
 /// The memory that a picture takes, in bytes: of the program and its shaders, of each pixel while it is
 /// drawn and encoded, and of each pixel's value in a channel. Measured with a software renderer, in which
 /// the memory of the graphics device is that of the machine, and rounded up.
-pub(super) const PROGRAM_BYTES: u64 = 450 << 20;
-pub(super) const PIXEL_BYTES: u64 = 90;
-pub(super) const VALUE_BYTES: u64 = 4;
+const PROGRAM_BYTES: u64 = 450 << 20;
+const PIXEL_BYTES: u64 = 90;
+const VALUE_BYTES: u64 = 4;
+
+/// The memory of a tile on the device and in the program, and that of each pixel of a strip of tiles, in
+/// bytes.
+const TILES_BYTES: u64 = 400 << 20;
+const STRIP_PIXEL_BYTES: u64 = 24;
+const STRIP_ROWS: u64 = 512;
+
+/// The rows that are encoded at once exist as the numbers of rays, as channels, as blocks and as compressed
+/// blocks: so many copies of their values, measured and rounded up.
+const COPIES_OF_VALUES: u64 = 6;
 
 /// Checks that there is memory for a picture, before minutes are spent on it.
 pub(super) fn check_memory(
-    size: UVec2,
+    scene: &Scene,
     format: Format,
-    channels: Option<&Channels>,
+    (channels, form): (&Channels, ExrForm),
+    tiling: Option<&Tiling>,
 ) -> Result<(), Stop> {
-    let values = channels
-        .filter(|_| format == Format::Exr)
-        .map_or(0, |it| it.list().len());
-    let pixels = u64::from(size.x) * u64::from(size.y);
-    let needed = PROGRAM_BYTES + pixels * (PIXEL_BYTES + VALUE_BYTES * values as u64);
+    let size = scene.picture.size();
+    let values = match format {
+        Format::Exr => channels.list().len(),
+        Format::Png | Format::Apng => 0,
+    };
+    let per_pixel = VALUE_BYTES * values as u64;
+    let columns = u64::from(size.x);
+    let needed = if tiling.is_some_and(|tiling| tiling.tiles.count() > 1) {
+        let rows = u64::from(picture::rows_at_once(form.compression));
+        let encoded = COPIES_OF_VALUES * columns * rows * per_pixel;
+        PROGRAM_BYTES + TILES_BYTES + columns * STRIP_ROWS * STRIP_PIXEL_BYTES + encoded
+    } else {
+        PROGRAM_BYTES + columns * u64::from(size.y) * (PIXEL_BYTES + per_pixel)
+    };
     let (channels, or_fewer) = match values {
         0 => (String::new(), ""),
         _ => (
@@ -39,15 +61,53 @@ pub(super) fn check_memory(
              --size{or_fewer}",
             size.x,
             size.y,
-            gigabytes(needed),
-            gigabytes(free),
+            amount(needed),
+            amount(free),
         ))),
         _ => Ok(()),
     }
 }
 
-pub(super) fn gigabytes(bytes: u64) -> String {
-    format!("{:.1} GB", bytes as f64 / 1e9)
+/// Checks that there is room for what a picture in tiles writes: the file, and for a PNG with bloom the
+/// light of the picture in a temporary file beside it. The file may be smaller than what is asked for,
+/// because it is compressed.
+pub(super) fn check_space(
+    pictures: &Pictures,
+    channels: &Channels,
+    tiling: &Tiling,
+) -> Result<(), Stop> {
+    let Pictures { scene, format, .. } = pictures;
+    let size = scene.picture.size();
+    let of_pixel = match format {
+        Format::Exr => picture::exr_pixel_bytes(channels),
+        Format::Png | Format::Apng if picture::png_sweeps(scene, &tiling.tiles) > 1 => {
+            tiling.bits.pixel_bytes() + picture::LIGHT_BYTES
+        }
+        Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
+    };
+    let needed = u64::from(size.x) * u64::from(size.y) * of_pixel;
+    let (_, file) = pictures.get(pictures.numbers().start);
+    match storage::free_space(&file) {
+        Some(free) if free < needed => Err(Stop::failed(format!(
+            "{}: a picture of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
+             give a smaller --size, or another folder",
+            file.display(),
+            size.x,
+            size.y,
+            amount(needed),
+            amount(free),
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// An amount of bytes in words, such as `1.2 GB`.
+fn amount(bytes: u64) -> String {
+    if bytes < 1_000_000_000 {
+        format!("{:.0} MB", bytes as f64 / 1e6)
+    } else {
+        format!("{:.1} GB", bytes as f64 / 1e9)
+    }
 }
 
 /// Checks that the times of the passes can be written, and not to the picture's file.

@@ -1,12 +1,15 @@
 //! Draws scenes and writes their pictures.
 
+use super::large::Tiling;
 use super::pictures::drawn_scene;
 use crate::commands::circumstances::commit;
+use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{
-    Animation, Channels, ExrForm, Format, Linear, PictureError, PixelRays, Still, Studio,
+    Animation, Captured, Channels, ExrForm, Format, LargePicture, Linear, PictureError, PixelRays,
+    Still, Studio,
 };
 use std::path::Path;
 
@@ -14,6 +17,10 @@ use std::path::Path;
 pub(super) struct PictureWriter {
     pub(super) studio: Studio,
     pub(super) format: Format,
+    /// How pictures are drawn in tiles; `None` if they are drawn at once.
+    pub(super) tiling: Option<Tiling>,
+    /// How many tiles are drawn.
+    pub(super) progress: Option<Progress>,
     pub(super) channels: Channels,
     /// The form of an .exr.
     pub(super) form: ExrForm,
@@ -30,6 +37,9 @@ pub(super) struct PictureWriter {
 
 impl PictureWriter {
     pub(super) fn write(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+        if let Some(tiling) = self.tiling {
+            return self.write_large(scene, file, tiling);
+        }
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn)?;
         self.studio.settle()?;
@@ -49,6 +59,49 @@ impl PictureWriter {
             }
             Format::Exr => self.write_exr(&scene, file),
         }
+    }
+
+    /// Draws a picture in tiles and writes it.
+    fn write_large(&mut self, scene: &Scene, file: &Path, tiling: Tiling) -> Result<(), Stop> {
+        let drawn = picture::exposed(scene)?;
+        let mut scene = scene.clone();
+        scene.picture.exposure_ev = drawn.picture.exposure_ev;
+        let record = self.studio.record(&scene);
+        let task = file.display().to_string();
+        let progress = &mut self.progress;
+        let mut large = LargePicture {
+            scene: &drawn,
+            tiles: tiling.tiles,
+            on_tile: &mut || {
+                if let Some(progress) = progress {
+                    progress.advance(task.clone(), 1.0);
+                }
+            },
+        };
+        if self.format == Format::Png {
+            let path = (file, tiling.bits);
+            return Ok(large.write_png(&mut self.studio, path, &record)?);
+        }
+        let rays = if self.channels.list().is_empty() {
+            None
+        } else {
+            if self.rays.is_none() {
+                self.rays = Some(PixelRays::open().map_err(Stop::without_device)?);
+            }
+            self.rays.as_mut()
+        };
+        let commit = commit();
+        let about = Linear {
+            scene: &scene,
+            record,
+            light: Captured::empty(),
+            channels: &self.channels,
+            samples: Vec::new(),
+            form: self.form,
+            commit: commit.as_deref(),
+            fps: self.fps,
+        };
+        Ok(large.write_exr(&mut self.studio, file, &about, rays)?)
     }
 
     fn add_frame(&mut self, scene: &Scene, file: &Path, still: &Still) -> Result<(), PictureError> {

@@ -2,7 +2,7 @@
 
 use super::{read, refuse};
 use lightfall::commands::cli::{self, Command};
-use lightfall_core::scene::MAX_PICTURE_SIDE;
+use lightfall_core::scene::{MAX_FILE_SIDE, MAX_PICTURE_SIDE};
 use lightfall_picture::CHANNELS;
 
 /// The help that a command line asks for.
@@ -31,7 +31,7 @@ fn help_and_version_have_exit_status_zero() {
     assert!(help.contains("Examples:") && help.contains(words), "{help}");
     let render = text_of("lightfall render -h");
     assert!(
-        render.contains(&format!("up to {MAX_PICTURE_SIDE} a side")),
+        render.contains(&format!("up to {MAX_FILE_SIDE} a side")),
         "{render}"
     );
     assert_eq!(

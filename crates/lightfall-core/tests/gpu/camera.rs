@@ -71,7 +71,8 @@ fn turned_and_fast() -> Scene {
     scene
 }
 
-/// The shader's photons at these places of a frame, in pixels: energy and radial momentum, then w.
+/// The shader's photons at these places of the part of a frame that is drawn, in pixels: energy and
+/// radial momentum, then w.
 fn photons(scene: &Scene, frame: &Frame, places: &[(f32, f32)]) -> Vec<[Vec4; 2]> {
     let gpu = gpu();
     let source = Variant::picture(scene).source()
@@ -79,7 +80,9 @@ fn photons(scene: &Scene, frame: &Frame, places: &[(f32, f32)]) -> Vec<[Vec4; 2]
            @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> photons: array<mat2x4<f32>>;
            @compute @workgroup_size(WORKGROUP_SIZE) fn photons_of(@builtin(global_invocation_id) id: vec3<u32>) {
                if id.x < arrayLength(&pixels) {
-                   let photon = photon_from(pixel_direction(pixels[id.x].xy));
+                   let place = pixels[id.x].xy;
+                   let in_whole = corner_of(vec2<u32>(place)) + fract(place);
+                   let photon = photon_from(pixel_direction(in_whole));
                    photons[id.x] = mat2x4<f32>(vec4(photon.energy, photon.radial, 0.0, 0.0), vec4(photon.w, 0.0));
                }
            }";

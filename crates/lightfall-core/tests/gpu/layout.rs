@@ -7,9 +7,9 @@ use lightfall_core::gpu::stars::{
     GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, StarKernel, candidate_shader,
 };
 use lightfall_core::gpu::{
-    Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuJet, GpuJetWaves, GpuObserver,
-    GpuPatterns, GpuPicture, GpuQuality, GpuRing, GpuScene, GpuShadow, GpuSky, GpuStructure,
-    Presentation, Variant,
+    Accumulation, Bloom, Developer, Development, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuJet,
+    GpuJetWaves, GpuObserver, GpuPatterns, GpuPicture, GpuQuality, GpuRing, GpuScene, GpuShadow,
+    GpuSky, GpuStructure, Presentation, Print, Variant,
 };
 use lightfall_core::scene::{DiskStructure, HotSpotKind, Projection, Scene};
 use naga::{Module, TypeInner};
@@ -170,6 +170,16 @@ fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
 fn rust_and_wgsl_lay_out_the_presentation_alike() {
     let module = parsed(Presentation::shader().source());
     assert_same_layout!(&module, Presentation = "Presentation");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_bloom_development_and_print_alike() {
+    let module = parsed(Bloom::shader().source());
+    assert_same_layout!(&module, Bloom = "Bloom");
+    let module = parsed(Developer::all()[1].shader().source());
+    assert_same_layout!(&module, Development = "Development");
+    let module = parsed(Print::shader().source());
+    assert_same_layout!(&module, Print = "Print");
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::gpu::{
-    Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
+    Accumulation, Bloom, Developer, Difference, EdgeTraits, Entry, Presentation, Print, ShaderText,
+    Variant,
 };
 use lightfall_core::scene::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection,
@@ -45,7 +46,10 @@ fn the_files_of_all_pictures_are_those_of_every_variant_that_draws_one() {
 /// The shaders that are no variants, with their entry points.
 pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
     let [one, four] = [1, 4].map(|samples| EdgeTraits { samples }.shader());
-    vec![
+    let developers = Developer::all().map(|developer| -> (ShaderText, &'static [&'static str]) {
+        (developer.shader(), &["vertex", "develop"])
+    });
+    let others: Vec<(ShaderText, &'static [&'static str])> = vec![
         (
             Presentation::shader(),
             &["vertex", "pixelate", "expand", "fit"],
@@ -58,8 +62,20 @@ pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
         ),
         (splat_shader(Projection::Perspective), &["splat"]),
         (Accumulation::shader(), &["vertex", "accumulate"]),
+        (
+            Bloom::shader(),
+            &[
+                "over_all",
+                "bloom_base",
+                "bloom_first",
+                "bloom_shrink",
+                "bloom_spread",
+            ],
+        ),
+        (Print::shader(), &["vertex", "print"]),
         (Difference::shader(), &["vertex", "difference"]),
-    ]
+    ];
+    developers.into_iter().chain(others).collect()
 }
 
 #[test]

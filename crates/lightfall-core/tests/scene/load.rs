@@ -115,11 +115,11 @@ fn a_value_out_of_range_is_refused_with_its_origin_and_the_range() {
         ),
         (
             "picture.width = 0",
-            "picture.width = 0 is refused: it must be an integer from 1 to 8192 pixels",
+            "picture.width = 0 is refused: it must be an integer from 1 to 32768 pixels",
         ),
         (
             "picture.width = -5",
-            "picture.width = -5 is refused: it must be an integer from 1 to 8192 pixels",
+            "picture.width = -5 is refused: it must be an integer from 1 to 32768 pixels",
         ),
         (
             "sky.seed = 4294967296",
@@ -166,7 +166,7 @@ fn a_value_of_the_wrong_type_is_refused_with_the_right_type() {
         ),
         (
             "picture.width = 960.0",
-            "picture.width = 960 is refused: it must be an integer from 1 to 8192 pixels",
+            "picture.width = 960 is refused: it must be an integer from 1 to 32768 pixels",
         ),
         (
             "method = \"euler\"",

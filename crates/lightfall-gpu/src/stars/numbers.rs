@@ -3,7 +3,7 @@
 use super::list::PackedStars;
 use super::sums::sums_side;
 use encase::ShaderType;
-use glam::{DMat3, DVec3, UVec4, Vec3, Vec4};
+use glam::{DMat3, DVec3, UVec2, UVec4, Vec3, Vec4};
 use lightfall_model::scene::Scene;
 use lightfall_optics::stars::images::{Inversion, ORDERS};
 use lightfall_optics::stars::{Depth, ZERO_MAGNITUDE_FLUX};
@@ -68,6 +68,15 @@ impl GpuStars {
             unit: (1.0 / light_unit(scene)) as f32,
             sums_side: sums_side(scene.picture.size()),
             ..Self::default()
+        }
+    }
+
+    /// The numbers for a part of this size of the scene's picture.
+    #[must_use]
+    pub fn of_part(self, size: UVec2) -> Self {
+        Self {
+            sums_side: sums_side(size),
+            ..self
         }
     }
 

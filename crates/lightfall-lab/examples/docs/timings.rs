@@ -49,9 +49,10 @@ impl Machine {
         self.of(view, passes).map(|row| row.kept_ms).sum()
     }
 
-    /// The time of all passes but these.
-    pub fn others(&self, view: &str, passes: Passes) -> f64 {
-        self.drawn(view, &[]) - self.drawn(view, passes)
+    /// The time of all passes but those of these rows.
+    pub fn others(&self, view: &str, rows: &[(&str, Passes)]) -> f64 {
+        let of_rows = rows.iter().map(|(_, passes)| self.drawn(view, passes));
+        self.drawn(view, &[]) - of_rows.sum::<f64>()
     }
 }
 

@@ -41,13 +41,25 @@ pub fn fit(picture: &Picture, size: UVec2, max_pixels: u64) -> Picture {
 pub fn resized(picture: &Picture, size: UVec2) -> Picture {
     let columns = fit(picture, size, u64::MAX).grid_width;
     let min = (size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
-    let grid = UVec2::new(columns, picture.grid_height).clamp(min, size);
+    let max = size.min(UVec2::splat(MAX_PICTURE_SIDE));
+    let grid = UVec2::new(columns, picture.grid_height).clamp(min, max);
     Picture {
         width: size.x,
         height: size.y,
         grid_width: grid.x,
         grid_height: grid.y,
         ..*picture
+    }
+}
+
+/// The picture with the size in which a window can draw it: its own, or a smaller one of the same shape.
+#[must_use]
+pub fn drawn_at_once(picture: &Picture) -> Picture {
+    let size = limited(picture.size(), u64::MAX);
+    if size == picture.size() {
+        *picture
+    } else {
+        resized(picture, size)
     }
 }
 

@@ -4,6 +4,16 @@
 use super::Scene;
 use glam::UVec2;
 
+/// A part of a picture, in pixels of the whole one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its upper left corner. Both numbers are even, so that the part has the pairs of neighbouring
+    /// pixels that the whole picture has.
+    pub origin: UVec2,
+    /// Its width and height.
+    pub size: UVec2,
+}
+
 /// What is drawn of a scene at one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -53,6 +63,22 @@ impl Frame {
             size: whole,
             ..self
         }
+    }
+
+    /// The frame of which only a part is drawn, if one is given.
+    #[must_use]
+    pub fn with_part(self, part: Option<Part>) -> Self {
+        part.map_or(self, |Part { origin, size }| Self {
+            origin,
+            size,
+            ..self
+        })
+    }
+
+    /// The part that is drawn; `None` if it is the whole picture.
+    pub fn part(&self) -> Option<Part> {
+        let (origin, size) = (self.origin, self.size);
+        (size != self.whole).then_some(Part { origin, size })
     }
 
     /// The frame drawn at another place of the target.

@@ -8,7 +8,7 @@ use super::fields::FIELDS;
 use super::matter::{MAX_THICKNESS, MIN_THICKNESS, THICKNESS_PIVOT};
 use super::range::{Kind, Range, number};
 use super::tables::{EDGE, POLAR};
-use super::{DiskModel, Effects, HotSpotKind, Scene};
+use super::{DiskModel, Effects, HotSpotKind, MAX_FILE_PIXELS, MAX_PICTURE_SIDE, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{Limit, min_infall_radius};
 use crate::geometry::sphere::polar_sin_cos;
@@ -112,6 +112,17 @@ impl Scene {
                 let low = Included(MIN_PERIOD);
                 let reason = "0 for a structure that never repeats".into();
                 (Range { low, ..range }, because(&[], reason))
+            }
+            "picture.height" => {
+                let most = f64::from(MAX_FILE_PIXELS / self.picture.width.max(1));
+                let reason = format!("picture.width is {}", self.picture.width);
+                match range.high {
+                    Included(high) if most < high => {
+                        let high = Included(most);
+                        (Range { high, ..range }, because(&["picture.width"], reason))
+                    }
+                    _ => (range, None),
+                }
             }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
@@ -233,7 +244,8 @@ fn grid_range(key: &'static str, side: u32) -> (Range, Option<Because>) {
         keys: vec![key],
         reason: format!("{key} is {side}"),
     };
-    (Range::closed(min, f64::from(side)), Some(because))
+    let max = f64::from(side.min(MAX_PICTURE_SIDE));
+    (Range::closed(min, max), Some(because))
 }
 
 impl Effects {

@@ -8,7 +8,7 @@ use super::from_toml::{given, table};
 use super::hint::{hint, is_table};
 use super::range::Kind;
 use super::value::{Value, shortened};
-use super::{MAX_PICTURE_SIDE, Scene, resized};
+use super::{MAX_FILE_SIDE, Scene, resized};
 
 /// One field that the command line sets in place of the preset.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -106,7 +106,7 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
     if any_given(["picture.width", "picture.height"])
         && !any_given(["picture.grid_width", "picture.grid_height"])
         && size.min_element() >= 1
-        && size.max_element() <= MAX_PICTURE_SIDE
+        && size.max_element() <= MAX_FILE_SIDE
     {
         scene.picture = resized(&scene.picture, size);
     }

@@ -48,8 +48,8 @@ pub use changes::Changes;
 pub use error::{Because, Refusal, SceneError, SceneFault};
 pub use field::Field;
 pub use fields::{FIELDS, field};
-pub use fit::{fit, resized};
-pub use frame::Frame;
+pub use fit::{drawn_at_once, fit, resized};
+pub use frame::{Frame, Part};
 pub use hint::nearest_name;
 pub use idle::{Idle, Output};
 pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyMode};
@@ -74,6 +74,12 @@ pub const SCHEMA: u32 = 1;
 /// Maximum side of a picture, in pixels: WebGPU's default limit, which every device that the passes
 /// run on supports.
 pub const MAX_PICTURE_SIDE: u32 = 8192;
+
+/// Maximum side of a picture file, in pixels. What is larger than [`MAX_PICTURE_SIDE`] is drawn in parts.
+pub const MAX_FILE_SIDE: u32 = 32_768;
+
+/// Maximum number of pixels of a picture file: that of a picture of the whole sky, twice as wide as high.
+pub const MAX_FILE_PIXELS: u32 = MAX_FILE_SIDE * (MAX_FILE_SIDE / 2);
 
 /// Maximum radius of a camera, in r_s.
 pub const MAX_RADIUS: f64 = 1e7;

@@ -14,8 +14,9 @@ use super::promises::MEDIUM_LIGHT;
 use super::range::Range;
 use super::value::FieldValue;
 use super::{
-    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE,
-    MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, SCHEMA, SkyMode, ToneCurve, View,
+    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_FILE_SIDE,
+    MAX_PICTURE_SIDE, MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, SCHEMA, SkyMode,
+    ToneCurve, View,
 };
 
 /// A radius in the disk.
@@ -31,7 +32,9 @@ const SHARE: Range = Range::closed(0.0, 1.0);
 /// An artistic scale of light.
 const SCALE: Range = Range::closed(0.0, 1e3);
 /// A side of a picture.
-const SIDE: Range = Range::closed(1.0, MAX_PICTURE_SIDE as f64);
+const SIDE: Range = Range::closed(1.0, MAX_FILE_SIDE as f64);
+/// A side of the presentation grid.
+const GRID_SIDE: Range = Range::closed(1.0, MAX_PICTURE_SIDE as f64);
 /// A radius where a camera may be around some hole; `limits` narrows it to where the scene's
 /// observer exists.
 const CAMERA: Range = Range::closed(0.1, MAX_RADIUS);
@@ -387,9 +390,9 @@ table! {
         height: u32 = 540, SIDE, "pixels";
         /// Columns of cells, not more than picture.width; a window shows as many as it has room
         /// for.
-        grid_width: u32 = 480, SIDE, "cells";
+        grid_width: u32 = 480, GRID_SIDE, "cells";
         /// Rows of cells, not more than picture.height; a window shows about as many.
-        grid_height: u32 = 270, SIDE, "cells";
+        grid_height: u32 = 270, GRID_SIDE, "cells";
         /// Exposure; with picture.automatic_exposure where it begins, and where nothing is seen.
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
         /// Whether a light meter chooses the exposure.

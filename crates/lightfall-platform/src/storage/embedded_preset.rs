@@ -130,22 +130,35 @@ pub fn encoded_png(
 ) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Adaptive);
-    add_record(&mut encoder, record)?;
+    set_up_png(&mut encoder, png::BitDepth::Eight, record)?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(rgb)?;
     writer.finish()?;
     Ok(bytes)
 }
 
+/// Prepares an encoder for a picture in sRGB with this many bits a channel and this record.
+///
+/// # Errors
+/// The encoder refuses the record.
+pub fn set_up_png<W: Write>(
+    encoder: &mut png::Encoder<W>,
+    depth: png::BitDepth,
+    record: &PictureRecord,
+) -> Result<(), png::EncodingError> {
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(depth);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    add_record(encoder, record)
+}
+
 /// Writes the record of a picture into the header of its PNG.
 ///
 /// # Errors
 /// The encoder refuses it.
-pub fn add_record<W: Write>(
+fn add_record<W: Write>(
     encoder: &mut png::Encoder<W>,
     record: &PictureRecord,
 ) -> Result<(), png::EncodingError> {

@@ -12,15 +12,17 @@ mod scene_source;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics, unless_it_panics};
 pub use embedded_preset::{
-    add_record, embedded_preset, encoded_png, header_text, is_picture, preset_pieces,
+    embedded_preset, encoded_png, header_text, is_picture, preset_pieces, set_up_png,
 };
 pub use file_name::file_safe_name;
+#[cfg(not(target_arch = "wasm32"))]
+pub use files::{
+    NewFile, check_folder_writable, check_name, check_writable, free_space, scratch_file,
+};
 pub use files::{
     TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,
     write_atomically, write_new,
 };
-#[cfg(not(target_arch = "wasm32"))]
-pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
 pub use folders::{

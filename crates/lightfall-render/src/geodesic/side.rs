@@ -15,7 +15,7 @@ use lightfall_core::gpu::bindings::{
 use lightfall_core::gpu::{
     Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
 };
-use lightfall_core::scene::{Frame, SkyMode};
+use lightfall_core::scene::{Frame, Part, SkyMode};
 
 /// The numbers of a scene, and the pipelines that draw them.
 #[derive(Default)]
@@ -28,6 +28,8 @@ pub(super) struct Side {
     pipelines: Option<SidePipelines>,
     /// Where the scene's own picture begins in the target, in pixels.
     corner: UVec2,
+    /// The part of the picture that is drawn; `None` for all of it.
+    part: Option<Part>,
     /// Most pixels that one call draws.
     max_pixels_of_call: u32,
 }
@@ -38,6 +40,7 @@ pub(super) struct SideWriter<'a> {
     pub(super) layout: &'a BindGroupLayoutDescriptor,
     pub(super) errors: &'a ErrorMap,
     pub(super) limits: DetailLimits,
+    pub(super) part: Option<Part>,
     pub(super) lists: &'a mut StarLists,
     pub(super) catalogue: StarCatalogue,
     /// What says which of the averaged frames comes next.
@@ -92,7 +95,7 @@ impl Side {
     ) {
         let Graphics { device, queue, .. } = writer.graphics;
         let mut numbers = scene.numbers().clone();
-        self.corner = corner;
+        (self.corner, self.part) = (corner, writer.part);
         numbers.picture = self.picture(scene, writer.request);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
@@ -127,6 +130,7 @@ impl Side {
             lists,
             catalogue,
             limits,
+            part,
             graphics,
             ..
         } = writer;
@@ -146,6 +150,7 @@ impl Side {
                 lists,
                 catalogue,
                 limits: *limits,
+                part: *part,
                 inputs: &self.inputs,
                 no_input: &shared.no_input,
                 new_inputs,
@@ -209,7 +214,7 @@ impl Side {
 
     /// The numbers of the next frame.
     fn picture(&self, scene: &Drawable, request: Option<&DrawRequest>) -> GpuPicture {
-        let frame = Frame::of(scene).at_corner(self.corner);
+        let frame = Frame::of(scene).with_part(self.part).at_corner(self.corner);
         let frame = request.map_or(frame, |request| request.next_sample(frame));
         GpuPicture::new(scene, &frame)
     }

@@ -3,9 +3,11 @@
 use super::StarCatalogue;
 use super::kernels::add_shaders;
 use super::list::StarLists;
+use super::ready::Stale;
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::AlwaysDraw;
 use crate::geodesic::GeodesicPass;
+use crate::given_light::traces_light;
 use crate::graphics::run_compute_pass;
 use bevy::core_pipeline::core_3d::main_opaque_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -25,7 +27,8 @@ pub(crate) fn plugin(app: &mut App) {
             Core3d,
             draw_stars
                 .in_set(Core3dSystems::MainPass)
-                .before(main_opaque_pass_3d),
+                .before(main_opaque_pass_3d)
+                .run_if(traces_light),
         );
 }
 
@@ -43,18 +46,20 @@ fn draw_stars(
         .scene_stars()
         // A change stays until its pipelines are ready.
         .filter_map(|stars| Some((stars, stars.ready(&cache)?)))
-        .filter(|(stars, _)| stars.take_changed() || always.0)
-        .map(|(_, ready)| ready)
+        .filter_map(|(stars, ready)| {
+            let stale = stars.take_changed();
+            Some((ready, if always.0 { Stale::All } else { stale? }))
+        })
         .collect();
     if waiting.is_empty() {
         return;
     }
-    for stars in &waiting {
-        stars.clear(context.command_encoder(), &queue);
+    for (stars, stale) in &waiting {
+        stars.clear(*stale, context.command_encoder(), &queue);
     }
     run_compute_pass(&mut context, "stars", |compute_pass| {
-        for stars in &waiting {
-            stars.dispatch(compute_pass);
+        for (stars, stale) in &waiting {
+            stars.dispatch(*stale, compute_pass);
         }
     });
 }

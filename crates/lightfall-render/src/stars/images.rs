@@ -1,27 +1,27 @@
 //! The resources of one scene's stars on the GPU: numbers, images and sums. A comparison has two.
 
+use super::buffers::Drawn;
 use super::kernels::{StarPipelines, layout};
-use super::list::{GpuStarList, StarLists};
+use super::list::StarLists;
+use super::ready::{ReadyStars, Stale};
 use crate::detail_limits::DetailLimits;
 use crate::geodesic::InputBuffers;
 use crate::graphics::{Graphics, create_buffer};
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::render::renderer::{RenderDevice, RenderQueue};
+use bevy::render::renderer::RenderDevice;
 use lightfall_core::gpu::bindings::{
-    CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES, STAR_INDEX,
-    STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, STRUCTURE, THICK_DISK, WAVE_HEIGHTS,
+    SCENE, SPECTRUM, STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, STRUCTURE,
+    THICK_DISK, WAVE_HEIGHTS,
 };
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::stars::{
-    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE,
-    candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
-    solve_workgroups, sums_size, table_rows,
+    GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE, mesh_layout, table_rows,
 };
 use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
 use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
 use lightfall_core::optics::stars::{Catalogue, Depth, hole_from_celestial};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Part, Scene};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -38,27 +38,10 @@ pub(crate) struct SceneStars {
     /// The list of stars and the buffers that depend on its length or the picture's size.
     drawn: Option<Drawn>,
     pipelines: Option<StarPipelines>,
-    /// Whether the sums belong to an earlier scene.
-    changed: AtomicBool,
-}
-
-struct Drawn {
-    list: Arc<GpuStarList>,
-    size: UVec2,
-    /// Unless images are found by inversion.
-    mesh: Option<MeshLayout>,
-    /// The buffers that the kernels write.
-    buffers: Vec<(u32, Buffer)>,
-    /// The bindings of the kernels, in the order of [`StarKernel::ALL`].
-    bind_groups: [Option<BindGroup>; StarKernel::ALL.len()],
-}
-
-/// A scene's stars whose passes can run.
-pub(super) struct ReadyStars<'a> {
-    kernels: Vec<(StarKernel, &'a ComputePipeline)>,
-    drawn: &'a Drawn,
-    /// How many candidates rays follow at most.
-    max_traced: u32,
+    /// Whether the list of images belongs to an earlier scene, and whether the sums belong to an
+    /// earlier scene or another part of the picture.
+    images_changed: AtomicBool,
+    sums_changed: AtomicBool,
 }
 
 impl SceneStars {
@@ -76,7 +59,8 @@ impl SceneStars {
             ),
             drawn: None,
             pipelines: None,
-            changed: AtomicBool::new(false),
+            images_changed: AtomicBool::new(false),
+            sums_changed: AtomicBool::new(false),
         }
     }
 }
@@ -86,6 +70,8 @@ pub(crate) struct StarWriter<'a> {
     pub(crate) lists: &'a mut StarLists,
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) limits: DetailLimits,
+    /// The part of the picture that is drawn; `None` for all of it.
+    pub(crate) part: Option<Part>,
     /// The uniforms of the scene, the one in place of those that it has no use for, and whether any
     /// of them is new.
     pub(crate) inputs: &'a InputBuffers,
@@ -112,7 +98,7 @@ impl SceneStars {
         let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
         let wanted = (scene.for_stars(), writer.limits, reloads);
         if self.written.as_ref() == Some(&wanted) {
-            return false;
+            return self.go_to_part(scene, numbers, &writer);
         }
         // A scene that can be drawn has an observer, and so has a depth.
         let Ok(depth) = Depth::new(scene, writer.limits.faintest_star) else {
@@ -145,20 +131,49 @@ impl SceneStars {
                 queue.write_buffer(&self.table, 0, &table_bytes(&rows));
             }
         }
-        self.numbers.write_buffer(device, queue);
         self.starlight.set(GpuStarlight::new(scene, depth));
-        self.starlight.write_buffer(device, queue);
         self.written = Some(wanted);
-        self.changed.store(true, Ordering::Relaxed);
+        self.images_changed.store(true, Ordering::Relaxed);
         let size = scene.picture.size();
         let fits = |drawn: &Drawn| {
             drawn.size == size && drawn.mesh == mesh && Arc::ptr_eq(&drawn.list, &list)
         };
-        if self.drawn.as_ref().is_some_and(fits) {
-            return false;
+        let kept = self.drawn.take().filter(fits);
+        let is_new = kept.is_none();
+        let mut drawn = kept.unwrap_or_else(|| Drawn::new(list, size, mesh, device));
+        drawn.part = writer.part;
+        self.drawn = Some(drawn);
+        self.write_part(scene, writer.graphics);
+        let new_sums = self.make_room_for_sums(numbers, is_new, &writer);
+        is_new || new_sums
+    }
+
+    /// Goes on to another part of the picture, whose images are the same. Returns whether the sums
+    /// have a new buffer.
+    fn go_to_part(
+        &mut self,
+        scene: &Drawable,
+        numbers: &UniformBuffer<GpuScene>,
+        writer: &StarWriter,
+    ) -> bool {
+        match &mut self.drawn {
+            Some(drawn) if drawn.part != writer.part => drawn.part = writer.part,
+            _ => return false,
         }
-        self.drawn = Some(self.create(list, size, mesh, numbers, &writer));
-        true
+        self.write_part(scene, writer.graphics);
+        self.make_room_for_sums(numbers, false, writer)
+    }
+
+    /// Writes the numbers that depend on the part of the picture that is drawn.
+    fn write_part(&mut self, scene: &Drawable, graphics: &Graphics) {
+        let Graphics { device, queue, .. } = graphics;
+        let part = self.drawn.as_ref().and_then(|drawn| drawn.part);
+        let size = part.map_or(scene.picture.size(), |part| part.size);
+        self.numbers.set(self.numbers.get().clone().of_part(size));
+        self.numbers.write_buffer(device, queue);
+        self.starlight.set(self.starlight.get().of_part(size));
+        self.starlight.write_buffer(device, queue);
+        self.sums_changed.store(true, Ordering::Relaxed);
     }
 
     /// Draws no points; the diffuse sky has the light of stars beyond `depth`. Returns whether sums
@@ -172,39 +187,22 @@ impl SceneStars {
         self.drawn.take().is_some()
     }
 
-    /// The buffers and bindings for a list and a size.
-    fn create(
-        &self,
-        list: Arc<GpuStarList>,
-        size: UVec2,
-        mesh: Option<MeshLayout>,
+    /// Makes the sums as large as the part of the picture needs, and binds all buffers if any of them
+    /// is new. Returns whether the sums are.
+    fn make_room_for_sums(
+        &mut self,
         numbers: &UniformBuffer<GpuScene>,
+        is_new: bool,
         writer: &StarWriter,
-    ) -> Drawn {
+    ) -> bool {
         let Graphics { device, cache, .. } = writer.graphics;
-        let mut sizes = vec![
-            (STAR_IMAGES, images_size(&list.stars)),
-            (STAR_COUNT, COUNT_SIZE),
-            (STAR_SUMS, sums_size(size)),
-        ];
-        if let Some(layout) = &mesh {
-            sizes.extend([
-                (MESH_POINTS, mesh_points_size(layout)),
-                (CANDIDATES, candidates_size(&list.stars)),
-                (CANDIDATE_COUNT, CANDIDATE_COUNT_SIZE),
-            ]);
-        }
-        let buffers = sizes.into_iter().map(|(binding, size)| {
-            let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST;
-            (binding, create_buffer(device, "stars", size, usage))
-        });
-        let mut drawn = Drawn {
-            list,
-            size,
-            mesh,
-            buffers: buffers.collect(),
-            bind_groups: [const { None }; StarKernel::ALL.len()],
+        let Some(drawn) = &mut self.drawn else {
+            return false;
         };
+        let new_sums = drawn.make_room_for_sums(device);
+        if !new_sums && !is_new {
+            return false;
+        }
         for kernel in StarKernel::ALL {
             // Kernels that the scene does not run have no buffers.
             let bindings = kernel.reads().iter().chain(kernel.writes());
@@ -231,7 +229,7 @@ impl SceneStars {
             drawn.bind_groups[kernel as usize] =
                 entries.map(|entries| device.create_bind_group(kernel.word(), &layout, &entries));
         }
-        drawn
+        new_sums
     }
 
     /// The numbers of the sky, once a scene has been written.
@@ -244,9 +242,16 @@ impl SceneStars {
         self.drawn.as_ref()?.buffer(STAR_SUMS)
     }
 
-    /// Whether the sums belong to an earlier scene. They count as those of this one from now on.
-    pub(super) fn take_changed(&self) -> bool {
-        self.changed.swap(false, Ordering::Relaxed)
+    /// What belongs to an earlier scene or another part of the picture, if anything does. It counts as
+    /// that of this one from now on.
+    pub(super) fn take_changed(&self) -> Option<Stale> {
+        let images = self.images_changed.swap(false, Ordering::Relaxed);
+        let sums = self.sums_changed.swap(false, Ordering::Relaxed);
+        match (images, sums) {
+            (true, _) => Some(Stale::All),
+            (false, true) => Some(Stale::Sums),
+            (false, false) => None,
+        }
     }
 
     /// The passes, once they can run.
@@ -259,54 +264,5 @@ impl SceneStars {
             drawn: self.drawn.as_ref()?,
             max_traced: self.written.as_ref()?.1.traced_stars,
         })
-    }
-}
-
-impl Drawn {
-    /// A buffer that the kernels write.
-    fn buffer(&self, binding: u32) -> Option<&Buffer> {
-        let found = self.buffers.iter().find(|(at, _)| *at == binding);
-        found.map(|(_, buffer)| buffer)
-    }
-}
-
-impl ReadyStars<'_> {
-    /// Empties the lists and the sums.
-    pub(super) fn clear(&self, encoder: &mut CommandEncoder, queue: &RenderQueue) {
-        let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
-        for (binding, buffer) in &self.drawn.buffers {
-            match *binding {
-                STAR_COUNT => queue.write_buffer(buffer, 0, &none),
-                CANDIDATE_COUNT => {
-                    queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
-                }
-                STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
-                _ => {}
-            }
-        }
-    }
-
-    /// Finds the images, dims those behind the disk, and draws them.
-    pub(super) fn dispatch(&self, pass: &mut ComputePass) {
-        for (kernel, pipeline) in &self.kernels {
-            let Some(bind_group) = &self.drawn.bind_groups[*kernel as usize] else {
-                continue;
-            };
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, bind_group, &[]);
-            let indirect = kernel
-                .indirect()
-                .and_then(|(at, start)| Some((self.drawn.buffer(at)?, start)));
-            match (indirect, kernel, &self.drawn.mesh) {
-                (Some((count, start)), ..) => pass.dispatch_workgroups_indirect(count, start),
-                (None, kernel, Some(layout)) => {
-                    pass.dispatch_workgroups(kernel.mesh_workgroups(layout), 1, 1);
-                }
-                (None, _, None) => {
-                    let [x, y] = solve_workgroups(self.drawn.list.stars.len());
-                    pass.dispatch_workgroups(x, y, 1);
-                }
-            }
-        }
     }
 }

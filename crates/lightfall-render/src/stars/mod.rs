@@ -3,10 +3,12 @@
 //!
 //! They run when the place of an image or its light changes, and not when only the exposure does.
 
+mod buffers;
 mod draw;
 mod images;
 mod kernels;
 mod list;
+mod ready;
 
 pub(crate) use draw::plugin;
 pub(crate) use images::{SceneStars, StarWriter};

@@ -1,5 +1,6 @@
 //! Files of the file system. Those that are written appear complete or not at all.
 
+use super::new_file::NewFile;
 use super::write_error::WriteError;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Write};
@@ -12,14 +13,11 @@ use tempfile::NamedTempFile;
 /// # Errors
 /// The folder does not exist, or the file cannot be written.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), WriteError> {
-    let write = || {
-        let mut file = temporary_file(parent_folder(path))?;
-        file.write_all(contents)?;
-        file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    write().map_err(|error| WriteError::new(path, error))
+    let mut file = NewFile::create(path)?;
+    file.file()
+        .write_all(contents)
+        .map_err(|error| WriteError::new(path, error))?;
+    file.finish()
 }
 
 /// Writes a new file, complete or not at all.
@@ -123,14 +121,14 @@ pub fn files_in(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The folder that a file is in: the current one for a bare file name.
-fn parent_folder(path: &Path) -> &Path {
+pub(super) fn parent_folder(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."))
 }
 
 /// A temporary file in a folder. It is removed when dropped, unless it was renamed before.
-fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
+pub(super) fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lightfall-").suffix(".part");
     // By default only the owner may read a temporary file. These permissions, reduced by the

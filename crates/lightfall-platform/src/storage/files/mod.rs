@@ -4,6 +4,8 @@
 mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod disk;
+#[cfg(not(target_arch = "wasm32"))]
+mod new_file;
 mod text;
 mod write_error;
 
@@ -17,5 +19,7 @@ pub use disk::{
     read, remove, rename, write_atomically, write_new,
 };
 
+#[cfg(not(target_arch = "wasm32"))]
+pub use new_file::{NewFile, free_space, scratch_file};
 pub use text::{TextError, read_text, text_of};
 pub use write_error::WriteError;

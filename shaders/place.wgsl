@@ -1,0 +1,14 @@
+// Where a pixel lies in the whole picture.
+//
+// Gives: corner_of, place_of.
+
+// The middle of a pixel of the part that is drawn, in pixels from the upper left corner of the whole
+// picture. The sum is one of integers, so a part gets exactly the places of the whole picture.
+fn place_of(pixel: vec2<u32>) -> vec2<f32> {
+    return corner_of(pixel) + 0.5;
+}
+
+// The same of the pixel's upper left corner.
+fn corner_of(pixel: vec2<u32>) -> vec2<f32> {
+    return vec2<f32>(pixel + scene.picture.origin);
+}

@@ -1,0 +1,104 @@
+//! Pictures that are drawn in tiles: those too large to be drawn at once, and PNGs with 16 bits.
+
+use crate::commands::cli::{Cells, RenderArgs};
+use crate::commands::progress::Progress;
+use crate::commands::stop::Stop;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use lightfall_picture::{Format, HeadlessOptions, MAX_UNTILED_PIXELS, PngBits, Tiles, png_sweeps};
+use lightfall_platform::log::say;
+
+/// How the pictures of a command line are drawn in tiles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tiling {
+    pub(super) tiles: Tiles,
+    pub(super) bits: PngBits,
+}
+
+/// Says how pictures of the scene are drawn in tiles; `None` if they are drawn at once. Tiles have no
+/// cells, so the scene's are switched off.
+pub(super) fn tiling(
+    args: &RenderArgs,
+    format: Format,
+    scene: &mut Scene,
+) -> Result<Option<Tiling>, Stop> {
+    let bits = args.bits.as_deref().and_then(PngBits::from_word);
+    if let (Some(bits), Format::Apng | Format::Exr) = (bits, format) {
+        return Err(Stop::refused(format!(
+            "--bits {} is for a picture whose file's name ends in .png",
+            bits.word()
+        )));
+    }
+    let bits = bits.unwrap_or_default();
+    let size = scene.picture.size();
+    let is_long = size.max_element() > MAX_PICTURE_SIDE;
+    if format == Format::Apng {
+        return if is_long {
+            Err(Stop::refused(format!(
+                "--size: the pictures of an .apng have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
+                 pictures may be larger"
+            )))
+        } else {
+            Ok(None)
+        };
+    }
+    let has_cells = !scene.picture.bypass && format == Format::Png;
+    let pixels = u64::from(size.x) * u64::from(size.y);
+    let is_large = is_long || pixels > MAX_UNTILED_PIXELS && !has_cells;
+    if !is_large && bits == PngBits::Eight {
+        return Ok(None);
+    }
+    if args.timings.is_some() && is_large {
+        return Err(Stop::refused(format!(
+            "--timings: a picture of {} x {} pixels is drawn in tiles, which are not timed; give a --size of at most \
+             {MAX_PICTURE_SIDE} pixels to a side and {MAX_UNTILED_PIXELS} in all",
+            size.x, size.y
+        )));
+    }
+    if has_cells {
+        let why = if is_long {
+            format!("a picture of more than {MAX_PICTURE_SIDE} pixels to a side has no cells")
+        } else {
+            "a picture with 16 bits has no cells".to_owned()
+        };
+        if args.scene.cells == Some(Cells::On) {
+            return Err(Stop::refused(format!("--cells on: {why}")));
+        }
+        say(format_args!(
+            "lightfall: {why}: every pixel is shown, as with --cells off"
+        ));
+        scene.picture.bypass = true;
+    }
+    let tiles = if is_large {
+        Tiles::of(size)
+    } else {
+        Tiles::one(size)
+    };
+    Ok(Some(Tiling { tiles, bits }))
+}
+
+impl Tiling {
+    /// What the studio does for pictures of this scene.
+    pub(super) fn options(&self, scene: &Scene, options: HeadlessOptions) -> HeadlessOptions {
+        let is_png = !options.light;
+        HeadlessOptions {
+            light: options.light || png_sweeps(scene, &self.tiles) > 1,
+            levels: is_png.then_some(self.bits.top()),
+            part: self
+                .tiles
+                .strips()
+                .next()
+                .and_then(|mut strip| strip.next()),
+            ..options
+        }
+    }
+
+    /// The progress of this many pictures of a scene: one unit for each tile and sweep.
+    pub(super) fn progress(&self, scene: &Scene, format: Format, pictures: usize) -> Progress {
+        let sweeps = match format {
+            Format::Png => png_sweeps(scene, &self.tiles),
+            Format::Apng | Format::Exr => 1,
+        };
+        let units = (pictures * sweeps * self.tiles.count()) as f64;
+        Progress::new("render", units, (0.02 * units).max(1.0))
+    }
+}
