@@ -259,7 +259,7 @@ fn after_a_lesson_comes_the_next_one_that_has_stops() {
     let list: Vec<_> = LESSONS
         .iter()
         .chain(&FLIGHTS)
-        .map(|(name, text)| journey::load(name, text).unwrap())
+        .map(|(name, text)| load(name, text).unwrap())
         .collect();
     let next = |title: &str| next_lesson(&list, title).map(|lesson| lesson.title.clone());
     for pair in list[..LESSONS.len()].windows(2) {

@@ -197,7 +197,7 @@ fn files_of(folder: Option<PathBuf>) -> Vec<PathBuf> {
 
 /// No preset and no mission has this name: says which was probably meant, or names all presets.
 fn unknown(asked: &'static str, given: &OsStr) -> SourceError {
-    let built_in = presets::PRESETS.iter().map(|preset| preset.name);
+    let built_in = PRESETS.iter().map(|preset| preset.name);
     let built_in = built_in.chain(MISSIONS.iter().map(|(name, _)| *name));
     let built_in = built_in.chain(LESSONS.iter().map(|(name, _)| *name));
     let own: Vec<PathBuf> = own_files().collect();
