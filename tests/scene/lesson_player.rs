@@ -1,7 +1,7 @@
 //! The player of a journey with stops: it waits, goes on and back, and puts back what stops switch.
 
 use lightfall::app::{FlightStep, JourneyPlayer, LessonAnswer, NotedAnswer, next_lesson};
-use lightfall_core::scene::journey::{self, FLIGHTS, LESSONS, load};
+use lightfall_core::scene::journey::{FLIGHTS, LESSONS, load};
 use lightfall_core::scene::{Scene, presets};
 
 const LESSON: &str = "[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 4\nr = 10\n\

@@ -177,8 +177,14 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
         assert!(text.contains(from), "{from}");
         load(name, &text.replace(from, to)).unwrap_err().to_string()
     };
+    let before = text.find("brief =").unwrap();
+    let line = format!("line {}, ", 1 + text[..before].matches('\n').count());
     for (from, to, words) in [
-        ("brief =", "breif =", ["line 9", "unknown field `breif`"]),
+        (
+            "brief =",
+            "breif =",
+            [line.as_str(), "unknown field `breif`"],
+        ),
         (
             "\"r <= 1.6\"",
             "\"radius <= 1.6\"",
