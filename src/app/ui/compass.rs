@@ -3,6 +3,7 @@
 //! is neither lensing nor a disk to be seen.
 
 use crate::app::motion::facing::{Aim, aimed};
+use crate::app::motion::ship::ShipFlight;
 use crate::app::motion::steering::is_inside;
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::preferences::Preferences;
@@ -54,13 +55,13 @@ fn show_compass(
     mut screen: Screen,
     picture: PictureInWindow,
     hole: Res<HoleInView>,
-    preferences: Res<Preferences>,
+    (preferences, ship): (Res<Preferences>, Res<ShipFlight>),
 ) {
     let (Some((context, layout)), Some(hole)) = (screen.texts(), hole.0) else {
         return;
     };
     let scene = picture.scene();
-    let label = hole_label(scene, preferences.settings.units());
+    let label = hole_label(scene, ship.units(&preferences.settings));
     let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
     let painter = context.layer_painter(layer);
     if hole.fills_view {

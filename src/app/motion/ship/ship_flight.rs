@@ -207,10 +207,15 @@ impl ShipFlight {
     /// The units of texts: with simple words, those of everyday life for the hole's mass, which is a
     /// mission's own.
     pub(crate) fn units(&self, settings: &Settings) -> Units {
-        match self.mass() {
-            Some(mass) if settings.units().are_simple() => Units::Everyday(mass),
-            _ => settings.units(),
+        match settings.units() {
+            Units::Everyday(_) => Units::Everyday(self.hole_mass(settings)),
+            Units::Hole => Units::Hole,
         }
+    }
+
+    /// The hole's mass for texts: a mission's own, and otherwise that of the settings.
+    pub(crate) fn hole_mass(&self, settings: &Settings) -> HoleMass {
+        self.mass().unwrap_or_else(|| settings.mass())
     }
 
     /// Whether the ship has an engine. A tank without fuel is one.

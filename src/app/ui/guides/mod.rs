@@ -6,6 +6,7 @@ mod labels;
 mod place;
 mod style;
 
+use crate::app::motion::ship::ShipFlight;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::Importance;
@@ -82,7 +83,7 @@ fn show_guides(
     mut screen: Screen,
     picture: PictureInWindow,
     overlays: Res<Overlays>,
-    preferences: Res<Preferences>,
+    (preferences, ship): (Res<Preferences>, Res<ShipFlight>),
     guides: Res<Guides>,
 ) {
     let quick = guides.quick.as_ref().filter(|_| overlays.guides);
@@ -106,8 +107,8 @@ fn show_guides(
         scene,
         guides: &known,
         placement: &placement,
-        units: preferences.settings.units(),
-        mass: preferences.settings.mass(),
+        units: ship.units(&preferences.settings),
+        mass: ship.hole_mass(&preferences.settings),
         tracing: Tracing {
             waiting,
             right_side: picture.divider(context).is_some(),

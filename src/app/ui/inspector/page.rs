@@ -5,6 +5,7 @@ use super::drawing::{Viewpoint, legend};
 use super::ray_worker::InspectedRays;
 use super::{Inspector, handout, numbers, plane_figure};
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::ship::ShipFlight;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::handout_file::save_handout;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
@@ -35,7 +36,7 @@ const VIEWPOINTS: [(Viewpoint, &str); 4] = [
 /// Shows the inspector's page, and marks the rays of its answer on the picture.
 pub(super) fn show_inspector(
     mut contexts: EguiContexts,
-    (preferences, player): (Res<Preferences>, Res<JourneyPlayer>),
+    (preferences, player, ship): (Res<Preferences>, Res<JourneyPlayer>, Res<ShipFlight>),
     picture: PictureInWindow,
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
@@ -47,7 +48,7 @@ pub(super) fn show_inspector(
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
-    let units = preferences.settings.units();
+    let units = ship.units(&preferences.settings);
     let journey = Some(player.journey()).filter(|_| player.has_lesson());
     let lesson = journey.map(|journey| journey.title.trim());
     let lesson = lesson.filter(|title| !title.is_empty());

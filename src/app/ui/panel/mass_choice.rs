@@ -3,10 +3,10 @@
 use crate::app::state::settings::{HOLE_MASSES, Settings};
 use bevy_egui::egui;
 use lightfall_core::numbers::{from_words, in_words};
-use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::si::MASSES;
 
-/// Shows the masses to choose from. Returns the chosen one.
-pub(super) fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
+/// Shows the masses to choose from.
+pub(super) fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) {
     let suns = &mut settings.hole_mass_suns;
     ui.horizontal_wrapped(|ui| {
         ui.label("Mass");
@@ -21,5 +21,4 @@ pub(super) fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMas
         let own = own.custom_formatter(|suns, _| in_words(suns));
         ui.add(own.custom_parser(from_words));
     });
-    HoleMass::of_suns(*suns)
 }

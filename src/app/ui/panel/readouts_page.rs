@@ -52,8 +52,12 @@ impl ReadoutsPage {
         bindings: &Bindings,
         settings: &mut Settings,
     ) {
-        let mass = choose_mass(ui, settings);
-        let units = settings.units();
+        if ship.mass().is_some() {
+            ui.weak("The hole has the mission's mass.");
+        } else {
+            choose_mass(ui, settings);
+        }
+        let (mass, units) = (ship.hole_mass(settings), ship.units(settings));
         ui.separator();
         if let Some(voyage) = ship.voyage() {
             flight_readouts::show(ui, &voyage.flight.ship, (mass, units));

@@ -46,7 +46,7 @@ pub(in crate::app::ui::hud) fn show_instruments(
         return;
     };
     let units = ship.units(&preferences.settings);
-    let mass = ship.mass().unwrap_or_else(|| preferences.settings.mass());
+    let mass = ship.hole_mass(&preferences.settings);
     let clocks = Clocks::new(&voyage.flight.ship);
     let ratio = clocks.far_rate.map(|rate| format!("× {rate:.4}"));
     let clocks = dials(&clocks, ship.dial(), units);
