@@ -15,7 +15,7 @@ words! {
     pub enum PngBits {
         /// What a screen shows.
         Eight = "8",
-        /// For further work on the picture: eleven of them carry light.
+        /// For further work on the picture; light fills eleven of the bits.
         Sixteen = "16",
     }
 }
