@@ -86,7 +86,7 @@ impl BloomLevels {
             .max(UVec2::ONE)
     }
 
-    /// The number of levels: the smallest has from four to seven rows, or all of a largest level with fewer.
+    /// The number of levels: the smallest has from four to seven rows.
     pub fn count(self) -> u32 {
         self.rows.ilog2().max(2) - 1
     }

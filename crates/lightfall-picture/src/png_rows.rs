@@ -63,10 +63,7 @@ pub(super) fn write_png_rows(
 ) -> Result<(), PictureError> {
     let fault = |error: png::EncodingError| match error {
         png::EncodingError::IoError(error) => WriteError::new(path, error).into(),
-        error => PictureError::Encode {
-            path: path.into(),
-            reason: error.to_string(),
-        },
+        error => PictureError::encode(path, &error),
     };
     let mut file = NewFile::create(path)?;
     let mut encoder = png::Encoder::new(BufWriter::new(file.file()), size.x, size.y);
