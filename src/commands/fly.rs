@@ -38,7 +38,7 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
         Opened::Journey(_) if journey_file.is_some() => {
             let named = args.scene.preset.as_deref().unwrap_or_default();
             return Err(Stop::refused(format!(
-                "--preset {}: this is a journey or a lesson, and --journey names another one: one of the two can be flown",
+                "--preset {}: this is a journey or a lesson, and --journey names one, too: one of the two can be flown",
                 named.display()
             )));
         }

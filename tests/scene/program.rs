@@ -95,6 +95,11 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: method = \"reference\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),
         (
+            "--preset shadow --journey layers",
+            "lightfall: --preset shadow: this is a journey or a lesson, and --journey names one, too: one of the two \
+             can be flown\n",
+        ),
+        (
             "render -o a",
             "lightfall: a: the name has no extension that says which picture format to write; allowed are .png, .apng and .exr\n",
         ),
