@@ -452,7 +452,10 @@ fn a_users_own_preset_is_found_by_name_and_listed() {
     assert!(ask("presets check shadow").1.starts_with("shadow: ok\n"));
     // What is piped can be read once.
     let lesson = fs::read_to_string("assets/journeys/shadow.toml").unwrap();
-    for (text, answer) in [("schema = 1\n", "ok\n"), (lesson.as_str(), "ok, a journey of ")] {
+    for (text, answer) in [
+        ("schema = 1\n", "ok\n"),
+        (lesson.as_str(), "ok, a journey of "),
+    ] {
         let (status, said, _) = program_with(&own, home.path(), "presets check /dev/stdin", text);
         assert!(status == 0 && said.contains(answer), "{said}");
     }
