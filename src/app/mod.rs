@@ -25,6 +25,7 @@ pub use controls::refusal::checked_change;
 pub use controls::sections::{SECTIONS, Shown};
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
+pub use controls::text_keys::unknown_controls;
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
 pub use input::gestures::{Gesture, Gestures};
 pub use motion::disk_clock::{disk_rate_words, stepped_rate};

@@ -5,6 +5,7 @@ use super::glyphs::note_lacking;
 use super::output::print_to;
 use super::stop::Stop;
 use super::unused::{idle_fields, note_idle_journey};
+use crate::app::unknown_controls;
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::optics::ship::{Attempt, Outcome, fly};
@@ -17,6 +18,7 @@ use lightfall_platform::storage;
 use lightfall_platform::storage::{Opened, SourceError};
 use lightfall_render::cost_report;
 use std::ffi::OsStr;
+use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
 
@@ -89,13 +91,22 @@ fn check_journey(given: &OsStr, journey: Journey) -> Result<String, Stop> {
     let journey = storage::flyable_journey(path, journey, scene)?;
     let name = given.display();
     note_idle_journey(path, &journey, scene);
-    note_lacking(&name, journey.texts());
+    note_texts(&name, journey.texts());
     let seconds = four_digits(journey.duration);
     let what = match journey.stops.len() {
         0 => format!("a journey of {seconds} s"),
         stops => format!("a journey of {seconds} s with {}", counted(stops, "stop")),
     };
     Ok(format!("{name}: ok, {what}\n"))
+}
+
+/// Notes what the window cannot show as it is written: letters without a font, and keys of controls that do
+/// not exist.
+fn note_texts(name: &impl Display, texts: Vec<&String>) {
+    for sentence in unknown_controls(texts.iter().copied()) {
+        say(format_args!("lightfall: {name}: {sentence}"));
+    }
+    note_lacking(name, texts);
 }
 
 fn check_preset(preset: &OsStr, scene: &Scene) -> Result<String, Stop> {
@@ -114,7 +125,7 @@ fn check_preset(preset: &OsStr, scene: &Scene) -> Result<String, Stop> {
 /// Checks that the solution of a mission reaches its goals.
 fn check_mission(given: &OsStr, mission: &Mission) -> Result<String, Stop> {
     let name = given.display();
-    note_lacking(&name, mission.texts());
+    note_texts(&name, mission.texts());
     if mission.solution.is_empty() {
         return Ok(format!("{name}: ok, a mission without a solution\n"));
     }

@@ -159,3 +159,19 @@ fn a_radial_ray_is_not_turned_at_all() {
         assert!(texts.iter().all(|text| !text.contains("e-")), "{texts:?}");
     }
 }
+
+#[test]
+fn a_handout_names_the_physics_that_is_switched_off() {
+    let mut scene = scene();
+    let handed_out = |scene: &Scene| {
+        let inspected = ray(scene, [-0.979337, -0.03, -0.2]);
+        plane_handout(scene, &[inspected], Units::Hole).unwrap()
+    };
+    assert!(!handed_out(&scene).contains("Physics off"));
+    scene.effects.doppler = false;
+    let texts = texts(&handed_out(&scene));
+    assert!(
+        texts.contains(&"Physics off: Doppler shift".to_owned()),
+        "{texts:?}"
+    );
+}

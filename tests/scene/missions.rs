@@ -4,7 +4,7 @@ use glam::DVec3;
 use lightfall::app::{
     Bindings, FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted,
     control_named, instruments, lamps, map_half_width, next_not_reached, outside_horizon,
-    solution_time, wanted,
+    solution_time, unknown_controls, wanted,
 };
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::readout::si::HoleMass;
@@ -398,6 +398,22 @@ fn keys_that_a_mission_can_need_are_controls_and_texts_have_their_names() {
     ] {
         assert_eq!(bindings.with_keys(text), words);
     }
+}
+
+#[test]
+fn names_in_braces_that_no_control_has_are_told_with_what_was_probably_meant() {
+    let text = "Press {inspector}, {fly.left}, {fly.lefft} or {nothing like it}".to_owned();
+    let there_is_no = |name: &str, rest: &str| {
+        format!("there is no control {{{name}}}, and the text keeps its braces{rest}")
+    };
+    assert_eq!(
+        unknown_controls([&text]),
+        [
+            there_is_no("inspector", "; did you mean {window.inspector}?"),
+            there_is_no("fly.lefft", "; did you mean {fly.left}?"),
+            there_is_no("nothing like it", ""),
+        ]
+    );
 }
 
 fn result(mission: &str, reached: bool, lamps: usize, rapidity_used: f64) -> MissionResult {

@@ -1,7 +1,8 @@
 //! The names of keys in sentences, and in texts of missions and lessons.
 
 use super::bindings::{Bindable, BindingTable, Bindings};
-use super::table::control_named;
+use super::table::{CONTROLS, control_named};
+use lightfall_core::scene::nearest_name;
 
 impl<B: Bindable> BindingTable<B> {
     /// The name of the first input of the control with this name, as a sentence has it: a punctuation
@@ -43,4 +44,27 @@ impl Bindings {
         }
         words
     }
+}
+
+/// A sentence for each name in braces in these texts that no control has.
+#[must_use]
+pub fn unknown_controls<'a>(texts: impl IntoIterator<Item = &'a String>) -> Vec<String> {
+    let names: Vec<String> = CONTROLS.iter().map(|control| control.id.into()).collect();
+    let in_braces = texts.into_iter().flat_map(|text| {
+        let parts = text.split('{').skip(1);
+        parts.filter_map(|part| part.split_once('}').map(|(name, _)| name))
+    });
+    let unknown = in_braces.filter(|name| control_named(name).is_none());
+    unknown
+        .map(|name| {
+            // The group before the point is easily forgotten.
+            let in_group = |id: &&String| id.split_once('.').is_some_and(|(_, end)| end == name);
+            let meant = names.iter().find(in_group).cloned();
+            let sentence = format!("there is no control {{{name}}}, and the text keeps its braces");
+            match meant.or_else(|| nearest_name(name, &names)) {
+                Some(meant) => format!("{sentence}; did you mean {{{meant}}}?"),
+                None => sentence,
+            }
+        })
+        .collect()
 }

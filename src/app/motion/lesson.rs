@@ -78,7 +78,7 @@ fn add_stop(draft: &mut LessonDraft, shown: Shown, bindings: &Bindings) -> Strin
 fn save(draft: &mut LessonDraft) -> String {
     match draft.save() {
         Ok(file) if IN_BROWSER => format!("Saved: {} in this browser", file.display()),
-        Ok(file) => format!("Saved: {}. Its captions are written there", file.display()),
+        Ok(file) => format!("Saved: {}. Write its captions in this file", file.display()),
         Err(fault) => fault,
     }
 }

@@ -4,6 +4,7 @@
 use super::drawing::{Sketch, Viewpoint};
 use super::svg::{FONTS, elements, escaped};
 use super::{numbers, plane_figure};
+use crate::app::ui::hud::physics_off;
 use bevy_egui::egui::{self, Rect, pos2, vec2};
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::optics::readout::units::Units;
@@ -54,6 +55,9 @@ pub(super) fn handout(
     page.add_numbers(&numbers::rows(first, scene, units));
     let method = scene.resolved_method().word();
     page.y += 0.5 * LINE;
+    if let Some(off) = physics_off(scene) {
+        page.add_line(&off, "");
+    }
     page.add_line(
         &format!(
             "Lightfall {}, f64 reference; the picture's method is {method}.",
