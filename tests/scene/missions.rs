@@ -462,8 +462,13 @@ fn an_attempt_that_is_gone_on_with_has_one_row_and_keeps_its_better_end() {
     let missed = result("graze", false, 0, 0.5);
     let (kept, written) = results.keep(None, missed.clone());
     assert_eq!((kept, written), (missed.clone(), Ok(())));
+    // Of two misses the later one stays, whatever was spent.
+    let again = result("graze", false, 0, 0.7);
+    let (kept, _) = results.keep(Some(missed), again.clone());
+    assert_eq!(kept, again);
+    assert_eq!(rows(), [again.row()]);
     let reached = result("graze", true, 2, 1.2);
-    let (kept, _) = results.keep(Some(missed), reached.clone());
+    let (kept, _) = results.keep(Some(again), reached.clone());
     assert_eq!(kept, reached);
     assert_eq!(rows(), [reached.row()]);
     // An answer may have been given since.

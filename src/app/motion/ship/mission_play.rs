@@ -247,7 +247,7 @@ fn nearest_miss<'a>(missions: &'a Missions, attempt: &Attempt) -> Option<&'a Mis
     missions.results.nearest_miss(&mission.name, par.quantity)
 }
 
-/// The hint for so many failed attempts: the last one that is due.
+/// The hint after so many failures: the last one that is due.
 fn due_hint(hints: &[Hint], failed: u32) -> Option<&str> {
     let due = hints.iter().filter(|hint| hint.after <= failed);
     due.max_by_key(|hint| hint.after)

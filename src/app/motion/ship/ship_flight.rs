@@ -270,7 +270,8 @@ impl ShipFlight {
             let steps = if aboard.is_far { steps.min(0) } else { steps };
             match steps {
                 1.. => aboard.passes_apsides |= std::mem::take(&mut aboard.stopped_at_apsis),
-                _ => aboard.end_passing(),
+                ..0 => aboard.end_passing(),
+                0 => {}
             }
             let fastest = aboard.engine().fastest();
             let pace = aboard.pace.min(fastest) * PACE_STEP.powi(steps);

@@ -91,8 +91,8 @@ impl MenuActions<'_> {
         }
     }
 
-    /// A mission's title, and the best that was reached in it: the lamps of its end card, all dark before the
-    /// first success.
+    /// A mission's title, and the best that was reached in it: its three lamps, all dark before the first
+    /// success.
     fn mission_words(&self, index: usize) -> [String; 2] {
         let Some(mission) = self.missions.list.get(index) else {
             return Default::default();
