@@ -83,10 +83,10 @@ impl MissionResult {
 
     /// Whether it is the same end of the same attempt. An answer may have been given since.
     fn is_same_end(&self, other: &Self) -> bool {
-        let unanswered = |it: &Self| Self {
+        let unanswered = |result: &Self| Self {
             answer: None,
             is_right: None,
-            ..it.clone()
+            ..result.clone()
         };
         // As rows, for those of the file are rounded.
         unanswered(self).row() == unanswered(other).row()
@@ -242,7 +242,7 @@ impl MissionResults {
             None => self.rows.push(result),
         }
         let is_old =
-            |line: &String| MissionResult::read(line).is_some_and(|it| it.is_same_end(old));
+            |line: &String| MissionResult::read(line).is_some_and(|kept| kept.is_same_end(old));
         self.rewrite(|lines| match lines.iter().rposition(is_old) {
             Some(index) => lines[index] = row,
             None => lines.push(row),

@@ -142,9 +142,10 @@ pub(super) fn apply_ship_commands(
                 asked.close();
                 let is_goal = ship.go_back();
                 play.go_back(is_goal);
-                editor.say(match is_goal {
-                    true => "Back at the last goal",
-                    false => "Back at the start",
+                editor.say(if is_goal {
+                    "Back at the last goal"
+                } else {
+                    "Back at the start"
                 });
             }
             ShipCommand::Again => {

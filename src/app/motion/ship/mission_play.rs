@@ -61,9 +61,10 @@ impl MissionPlay {
 
     /// Goes on with the attempt from the last goal, or from the start.
     pub(super) fn go_back(&mut self, to_goal: bool) {
-        let (shown, caption, reached) = match to_goal {
-            true => self.at_goal.clone(),
-            false => Default::default(),
+        let (shown, caption, reached) = if to_goal {
+            self.at_goal.clone()
+        } else {
+            Default::default()
         };
         // One that was read when the goal was reached gives way to what is due now.
         let caption = caption.map(|index| (index, Duration::ZERO));
