@@ -1,4 +1,5 @@
-// BLOOM: blurs the picture's light. From the base, the picture in at most 1080 rows, each level of a
+// BLOOM: blurs the picture's light. The base is the picture, or the means of squares of k x k pixels,
+// where k is the larger of rows / 1080 and columns / 8192, rounded up. From the base, each level of a
 // pyramid has half the rows of the one before; from the smallest level back up, each one is mixed
 // into the one above. DEVELOP mixes the largest level into the picture.
 //

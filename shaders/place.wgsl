@@ -8,7 +8,7 @@ fn place_of(pixel: vec2<u32>) -> vec2<f32> {
     return corner_of(pixel) + 0.5;
 }
 
-// The same of the pixel's upper left corner.
+// The upper left corner of a pixel of the part, in pixels of the whole picture.
 fn corner_of(pixel: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(pixel + scene.picture.origin);
 }

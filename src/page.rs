@@ -1,12 +1,13 @@
 //! The program in a browser. The page's address takes the place of the command line: `preset` names
-//! a preset or a mission, and every other parameter sets a field, as in `?preset=8&hole.spin=0.7`.
+//! a preset, a mission or a lesson, and every other parameter sets a field, as in `?preset=8&hole.spin=0.7`.
 
 use crate::app;
 use crate::app::Start;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::mission::Mission;
+use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::presets::{DEFAULT, PRESETS};
 use lightfall_core::scene::{Override, field};
+use lightfall_platform::storage::Opened;
 use lightfall_platform::{browser, storage};
 
 /// What messages call the address.
@@ -20,28 +21,31 @@ pub fn run() {
     }
 }
 
-/// The scene or the mission of the address or, with a message, the default scene.
+/// The scene, the mission or the journey of the address or, with a message, the default scene.
 fn start() -> Result<Start, String> {
-    let journey_scene = PRESETS[DEFAULT - 1].plain_scene();
-    let journey = storage::read_journey(None, journey_scene).map_err(|error| error.to_string())?;
-    let (drawable, mission, message) = match scene_of_address() {
-        Ok((drawable, mission)) => (drawable, mission, None),
+    let usual_scene = PRESETS[DEFAULT - 1].plain_scene();
+    let usual = storage::read_journey(None, usual_scene).map_err(|error| error.to_string())?;
+    let start = match start_of_address(usual.clone()) {
+        Ok(start) => start,
         Err(reason) => {
-            let usual = Drawable::new(journey_scene.clone()).map_err(|error| error.to_string())?;
-            (usual, None, Some(reason))
+            let scene = Drawable::new(usual_scene.clone()).map_err(|error| error.to_string())?;
+            Start {
+                message: Some(reason),
+                ..Start::new(scene, usual)
+            }
         }
     };
     Ok(Start {
-        message,
-        mission,
         keeps_own_look: browser::parameters()
             .iter()
             .any(|(key, _)| key == "picture.bypass"),
-        ..Start::new(drawable, journey)
+        ..start
     })
 }
 
-fn scene_of_address() -> Result<(Drawable, Option<Box<Mission>>), String> {
+/// What the address names, with `usual` as its journey unless it names one. A journey starts at once, in
+/// the preset that it names.
+fn start_of_address(usual: Journey) -> Result<Start, String> {
     let mut preset = PRESETS[DEFAULT - 1].name.to_owned();
     let mut overrides = Vec::new();
     for (key, value) in browser::parameters() {
@@ -54,7 +58,25 @@ fn scene_of_address() -> Result<(Drawable, Option<Box<Mission>>), String> {
     }
     let opened = storage::open_by_name(ADDRESS, preset.as_ref(), &overrides)
         .map_err(|error| error.to_string())?;
-    let (scene, mission) = opened.into_parts();
-    let drawable = Drawable::new(scene).map_err(|error| error.to_string())?;
-    Ok((drawable, mission))
+    match opened {
+        Opened::Journey(journey) => {
+            let stage = journey.preset.unwrap_or(&PRESETS[DEFAULT - 1]);
+            let scene = stage.scene(&overrides).map_err(|error| error.to_string())?;
+            let journey = storage::flyable_journey(preset.as_ref(), *journey, &scene)
+                .map_err(|error| error.to_string())?;
+            let scene = Drawable::new(scene).map_err(|error| error.to_string())?;
+            Ok(Start {
+                plays_journey: true,
+                ..Start::new(scene, journey)
+            })
+        }
+        opened => {
+            let (scene, mission) = opened.into_parts();
+            let scene = Drawable::new(scene).map_err(|error| error.to_string())?;
+            Ok(Start {
+                mission,
+                ..Start::new(scene, usual)
+            })
+        }
+    }
 }

@@ -4,7 +4,9 @@ use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::glyphs::note_lacking;
 use super::output::print;
-use super::scene::{NO_JOURNEY, drawable, journey, note_missing_stars, on_stage, opened, stars};
+use super::scene::{
+    NO_JOURNEY, drawable, journey, journey_in, note_missing_stars, on_stage, opened, scene, stars,
+};
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
@@ -19,20 +21,38 @@ use lightfall_core::scene::{Output, Scene, drawn_at_once};
 use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, Studio};
 use lightfall_platform::log::say;
-use lightfall_platform::storage::{file_safe_name, is_journey, journey_by_name};
+use lightfall_platform::storage::{Opened, file_safe_name};
 use std::path::{Path, PathBuf};
 
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
-    let args = &with_journey(args);
-    let journey_file = args.journey.as_deref();
+    let mut journey_file = args.journey.as_deref();
     if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
         return Err(Stop::refused(format!(
             "--journey {NO_JOURNEY} is for `lightfall render`; the window flies a journey when J is pressed, or at once where --journey names a file"
         )));
     }
-    let scene_args = on_stage(&args.scene, journey_file)?;
-    let (scene, mission) = opened(&scene_args)?.into_parts();
+    let mut scene_args = on_stage(&args.scene, journey_file)?;
+    // What the preset names is opened once, because a pipe can be read only once.
+    let (scene, mission, lesson) = match opened(&scene_args)? {
+        Opened::Journey(_) if journey_file.is_some() => {
+            let named = args.scene.preset.as_deref().unwrap_or_default();
+            return Err(Stop::refused(format!(
+                "--preset {}: this is a journey or a lesson, and --journey names one, too: one of the two can be flown",
+                named.display()
+            )));
+        }
+        Opened::Journey(lesson) => {
+            // Lessons open as missions do, each in the preset that it names.
+            journey_file = args.scene.preset.as_deref().map(Path::new);
+            scene_args.preset = lesson.preset.map(|preset| preset.name.into());
+            (scene(&scene_args)?, None, Some(*lesson))
+        }
+        opened => {
+            let (scene, mission) = opened.into_parts();
+            (scene, mission, None)
+        }
+    };
     let stars = stars(&scene_args)?;
     let drawable = drawable(&scene)?;
     if let (Some(mission), true) = (&mission, journey_file.is_some()) {
@@ -41,7 +61,10 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
             mission.title
         )));
     }
-    let journey = journey(journey_file, &scene)?;
+    let journey = match (lesson, journey_file) {
+        (Some(lesson), Some(file)) => journey_in(file, lesson, &scene)?,
+        _ => journey(journey_file, &scene)?,
+    };
     if let Some(folder) = &args.shaders {
         ShaderFiles::read(folder).map_err(|error| Stop::refused(format!("--shaders: {error}")))?;
     }
@@ -90,21 +113,6 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
     let mut program = app::program(start);
     addition(&mut program);
     app::run(program).map_err(Stop::failed)
-}
-
-/// The options with the journey that `--preset` names as their journey: lessons open as missions do. It is
-/// flown in the preset that it names.
-fn with_journey(args: &FlyArgs) -> FlyArgs {
-    let mut args = args.clone();
-    let named = args.scene.preset.clone();
-    let named = named.filter(|named| args.journey.is_none() && is_journey(named));
-    if let Some(named) = named {
-        let path = PathBuf::from(named);
-        let preset = journey_by_name(&path).ok().and_then(|it| it.preset);
-        args.scene.preset = preset.map(|preset| preset.name.into());
-        args.journey = Some(path);
-    }
-    args
 }
 
 /// What a window would show first.

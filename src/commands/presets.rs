@@ -9,8 +9,9 @@ use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::optics::ship::{Attempt, Outcome, fly};
 use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::mission::Mission;
-use lightfall_core::scene::presets::{self, PRESETS, Preset};
+use lightfall_core::scene::presets::{self, PRESETS};
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
 use lightfall_platform::storage::{Opened, SourceError};
@@ -61,38 +62,32 @@ fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
     })
 }
 
-/// Checks that a preset can be read and its scene traced, or that a mission or a journey can be flown.
+/// Checks that a preset can be read and its scene traced, or that a mission or a journey can be flown. Of a
+/// journey all faults of its text are told, each in a line.
 fn check(given: &OsStr) -> Result<String, Stop> {
-    if storage::is_journey(given) {
-        return check_journey(given);
-    }
-    match storage::open_by_name("presets check", given, &[])? {
+    let opened =
+        storage::open_by_name("presets check", given, &[]).map_err(|error| match error {
+            SourceError::Journey(error) => Stop::refused(error.sentences().join("\n")),
+            error => error.into(),
+        })?;
+    match opened {
         Opened::Scene(scene) => check_preset(given, &scene),
         Opened::Mission(mission) => check_mission(given, &mission),
-        Opened::Journey(_) => check_journey(given),
+        Opened::Journey(journey) => check_journey(given, *journey),
     }
 }
 
-/// What a journey says, by its file or its name: it can be read, and flown in its preset, with what its
-/// stops switch.
+/// What a journey says: it can be flown in its preset, with what its stops switch.
 ///
 /// # Errors
-/// All faults of its text, each in a line; or a place that it does not lead to.
-fn check_journey(preset: &OsStr) -> Result<String, Stop> {
-    let path = Path::new(preset);
+/// A place that it does not lead to.
+fn check_journey(given: &OsStr, journey: Journey) -> Result<String, Stop> {
+    let path = Path::new(given);
     // The scene in which the window flies it, unless another one is shown there.
-    let stage = |stage: Option<&'static Preset>| {
-        stage
-            .unwrap_or(&PRESETS[presets::DEFAULT - 1])
-            .plain_scene()
-    };
-    let read = storage::journey_by_name(path).map_err(|error| match error {
-        SourceError::Journey(error) => Stop::refused(error.sentences().join("\n")),
-        error => error.into(),
-    })?;
-    let scene = stage(read.preset);
-    let journey = storage::read_journey(Some(path), scene)?;
-    let name = preset.display();
+    let stage = journey.preset.unwrap_or(&PRESETS[presets::DEFAULT - 1]);
+    let scene = stage.plain_scene();
+    let journey = storage::flyable_journey(path, journey, scene)?;
+    let name = given.display();
     note_idle_journey(path, &journey, scene);
     note_lacking(&name, journey.texts());
     let seconds = four_digits(journey.duration);

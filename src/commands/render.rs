@@ -99,7 +99,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let studio = match &tiling {
         Some(tiling) => {
             let first_scene = picture::exposed(&first_scene)?;
-            let options = tiling.options(&first_scene, options);
+            let options = tiling.options(options);
             // The levels of a file do not come from the image that a window would show.
             Studio::with_options(&first_scene, UVec2::ONE, options)?
         }
@@ -109,8 +109,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         studio,
         format,
         tiling,
-        progress: tiling
-            .map(|tiling| tiling.progress(&first_scene, format, pictures.numbers().len())),
+        progress: tiling.map(|tiling| tiling.progress(&pictures)),
         channels,
         form,
         rays: None,

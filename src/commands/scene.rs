@@ -87,6 +87,16 @@ pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
     Ok(journey)
 }
 
+/// A journey that was read, for `scene`. `file` is its file or its name.
+///
+/// # Errors
+/// A part of the journey cannot be flown in `scene`.
+pub(super) fn journey_in(file: &Path, journey: Journey, scene: &Scene) -> Result<Journey, Stop> {
+    let journey = storage::flyable_journey(file, journey, scene)?;
+    note_idle_journey(file, &journey, scene);
+    Ok(journey)
+}
+
 /// The stars that the options name, or the built-in catalogue. The program has one catalogue as long
 /// as it runs.
 ///

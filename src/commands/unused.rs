@@ -52,6 +52,11 @@ pub(super) fn note_unused(
     let Ok(overrides) = args.overrides() else {
         return Vec::new();
     };
+    // A pipe would wait for ever when it is read a second time.
+    let is_pipe = |path: &Path| path.exists() && !path.is_file() && !path.is_dir();
+    if args.preset.as_deref().map(Path::new).is_some_and(is_pipe) {
+        return Vec::new();
+    }
     let mut suspects = Vec::new();
     let mut said = Vec::new();
     for (index, given) in overrides.iter().enumerate() {

@@ -95,6 +95,11 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: method = \"reference\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),
         (
+            "--preset shadow --journey layers",
+            "lightfall: --preset shadow: this is a journey or a lesson, and --journey names one, too: one of the two \
+             can be flown\n",
+        ),
+        (
             "render -o a",
             "lightfall: a: the name has no extension that says which picture format to write; allowed are .png, .apng and .exr\n",
         ),
@@ -439,4 +444,19 @@ fn a_users_own_preset_is_found_by_name_and_listed() {
     .unwrap();
     assert!(ask("presets show edge-on").1.contains("spin = 0.9"));
     assert_eq!(ask("presets show my_other").0, 2);
+    // That of a lesson does not: the lesson is `--journey`'s.
+    assert_eq!(ask("presets show shadow").0, 2);
+    fs::write(folder.join("shadow.toml"), "schema = 1\nhole.spin = 0.25\n").unwrap();
+    let (status, shown, _) = ask("presets show shadow");
+    assert!(status == 0 && shown.contains("spin = 0.25"), "{shown}");
+    assert!(ask("presets check shadow").1.starts_with("shadow: ok\n"));
+    // What is piped can be read once.
+    let lesson = fs::read_to_string("assets/journeys/shadow.toml").unwrap();
+    for (text, answer) in [
+        ("schema = 1\n", "ok\n"),
+        (lesson.as_str(), "ok, a journey of "),
+    ] {
+        let (status, said, _) = program_with(&own, home.path(), "presets check /dev/stdin", text);
+        assert!(status == 0 && said.contains(answer), "{said}");
+    }
 }

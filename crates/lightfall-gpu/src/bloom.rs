@@ -11,9 +11,8 @@ const MAX_BASE_ROWS: u32 = 1080;
 /// Most columns of the base: the widest texture that WebGPU lets every device create.
 const MAX_BASE_COLUMNS: u32 = 8192;
 
-/// How much of the light a level's own blur gets beside that of the levels below it grows from the
-/// share that the scene asks for by up to this much of the rest, and how fast: by the power
-/// 1 / (1 - 0.95) of the distance from the smallest level.
+/// Lower levels get more than the scene's share: up to `LOW_LEVELS_BOOST` of the rest, at the smallest
+/// level. Bevy's curve with a curvature of 0.95: the power 1 / (1 - 0.95).
 const LOW_LEVELS_BOOST: f64 = 0.7;
 const BOOST_POWER: f64 = 20.0;
 
@@ -87,7 +86,7 @@ impl BloomLevels {
             .max(UVec2::ONE)
     }
 
-    /// The number of levels: the smallest one has two or three rows, or four.
+    /// The number of levels: the smallest has from four to seven rows.
     pub fn count(self) -> u32 {
         self.rows.ilog2().max(2) - 1
     }

@@ -89,8 +89,5 @@ impl Animation {
 }
 
 fn encoding_fault(path: &Path, error: &png::EncodingError) -> PictureError {
-    PictureError::Encode {
-        path: path.into(),
-        reason: error.to_string(),
-    }
+    PictureError::encode(path, error)
 }

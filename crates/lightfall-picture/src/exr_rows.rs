@@ -52,10 +52,6 @@ pub(super) fn write_exr_rows(
     picture: &Linear,
     draw: impl FnOnce(TakeRows) -> Result<(), PictureError>,
 ) -> Result<(), PictureError> {
-    let fault = |reason: String| PictureError::Encode {
-        path: path.into(),
-        reason,
-    };
     let headers = layer(picture.without_rows(), size).infer_headers(&file_attributes(size));
     let mut file = NewFile::create(path)?;
     // The crate's own errors know nothing of those of `draw`.
@@ -69,8 +65,8 @@ pub(super) fn write_exr_rows(
             let header = &meta.headers[0];
             let drawn = draw(&mut |light, samples| {
                 let rows = picture.with_rows(light, samples);
-                let encoded =
-                    encoded(rows, header, blocks).map_err(|error| fault(error.to_string()))?;
+                let encoded = encoded(rows, header, blocks)
+                    .map_err(|error| PictureError::encode(path, &error))?;
                 for chunk in encoded {
                     chunks
                         .write_chunk(blocks, chunk)
@@ -123,10 +119,7 @@ fn encoded(rows: Linear, header: &Header, first: usize) -> exr::error::Result<Ve
 fn written_fault(path: &Path, error: exr::error::Error) -> PictureError {
     match error {
         exr::error::Error::Io(error) => WriteError::new(path, error).into(),
-        error => PictureError::Encode {
-            path: path.into(),
-            reason: error.to_string(),
-        },
+        error => PictureError::encode(path, &error),
     }
 }
 
@@ -140,10 +133,8 @@ fn sort_header(file: &mut NewFile, path: &Path) -> Result<(), PictureError> {
         .take(MAX_HEADER)
         .read_to_end(&mut start)
         .map_err(written)?;
-    exr_header::sort_attributes(&mut start).ok_or_else(|| PictureError::Encode {
-        path: path.into(),
-        reason: "its header cannot be read".into(),
-    })?;
+    exr_header::sort_attributes(&mut start)
+        .ok_or_else(|| PictureError::encode(path, &"its header cannot be read"))?;
     file.seek(SeekFrom::Start(0)).map_err(written)?;
     file.write_all(&start).map_err(written)
 }

@@ -6,6 +6,7 @@ use lightfall_core::scene::MAX_PICTURE_SIDE;
 use lightfall_platform::storage::{
     PictureRecord, WriteError, check_writable, encoded_png, write_atomically,
 };
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be drawn or written. Each message is one sentence.
@@ -47,6 +48,16 @@ pub enum PictureError {
     /// The user interrupted the program.
     #[error("interrupted; every picture that was written is complete")]
     Interrupted,
+}
+
+impl PictureError {
+    /// The picture of this file could not be encoded.
+    pub(super) fn encode(path: &Path, reason: &impl Display) -> Self {
+        Self::Encode {
+            path: path.into(),
+            reason: reason.to_string(),
+        }
+    }
 }
 
 /// What is wrong with the extension of a file's name.
@@ -110,9 +121,7 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
 /// The encoding failed, or the file cannot be written.
 pub fn write_png(path: &Path, still: &Still, record: &PictureRecord) -> Result<(), PictureError> {
     let Still { size, rgb } = still;
-    let bytes = encoded_png(size.x, size.y, rgb, record).map_err(|error| PictureError::Encode {
-        path: path.into(),
-        reason: error.to_string(),
-    })?;
+    let bytes = encoded_png(size.x, size.y, rgb, record)
+        .map_err(|error| PictureError::encode(path, &error))?;
     Ok(write_atomically(path, &bytes)?)
 }

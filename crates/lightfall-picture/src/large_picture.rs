@@ -5,12 +5,13 @@ use super::file::PictureError;
 use super::headless::drawable;
 use super::png_rows::{PngBits, write_png_rows};
 use super::{Linear, PixelRays, Studio, Tiles};
+use glam::UVec2;
 use lightfall_core::scene::{Part, Scene};
 use lightfall_platform::storage::{PictureRecord, WriteError, scratch_file};
 use lightfall_render::{Captured, Chain};
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Bytes of a pixel's light in the temporary file: four half floats.
 pub const LIGHT_BYTES: u64 = 8;
@@ -149,16 +150,14 @@ impl LargePicture<'_> {
                 light.append(&mut rows);
                 depth.append(&mut depths);
                 while top < drawn && (drawn - top >= at_once || drawn == whole.y) {
-                    let size = glam::UVec2::new(whole.x, at_once.min(drawn - top));
+                    let size = UVec2::new(whole.x, at_once.min(drawn - top));
                     let pixels = size.as_usizevec2().element_product();
-                    let rest = light.split_off(pixels);
                     let block = Captured {
                         size,
-                        rgba: std::mem::replace(&mut light, rest),
+                        rgba: light.drain(..pixels).collect(),
                         depth: None,
                     };
-                    let rest = depth.split_off(pixels.min(depth.len()));
-                    let depths = std::mem::replace(&mut depth, rest);
+                    let depths: Vec<f32> = depth.drain(..pixels.min(depth.len())).collect();
                     let samples = match &mut rays {
                         Some(rays) => rays
                             .sample_rows(self.scene, picture.channels, top..top + size.y, &depths)
@@ -199,7 +198,7 @@ struct Light {
     file: File,
     columns: u32,
     /// The file beside it, for errors.
-    path: std::path::PathBuf,
+    path: PathBuf,
 }
 
 impl Light {

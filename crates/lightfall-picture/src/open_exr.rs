@@ -64,20 +64,16 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
         attributes: file_attributes(size),
         layer_data: layer(picture, size),
     };
-    let fault = |reason: String| PictureError::Encode {
-        path: path.into(),
-        reason,
-    };
     // The file is encoded in memory and written at once, so that an interruption leaves no partial
     // file.
     let mut bytes = Vec::new();
     image
         .write()
         .to_buffered(Cursor::new(&mut bytes))
-        .map_err(|error| fault(error.to_string()))?;
+        .map_err(|error| PictureError::encode(path, &error))?;
     // The encoder keeps attributes in a hash map, so their order would differ in every run.
     exr_header::sort_attributes(&mut bytes)
-        .ok_or_else(|| fault("its header cannot be read".into()))?;
+        .ok_or_else(|| PictureError::encode(path, &"its header cannot be read"))?;
     Ok(write_atomically(path, &bytes)?)
 }
 

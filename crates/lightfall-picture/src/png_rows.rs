@@ -15,7 +15,7 @@ words! {
     pub enum PngBits {
         /// What a screen shows.
         Eight = "8",
-        /// For further work on the picture: eleven of them carry light.
+        /// For further work on the picture; light fills eleven of the bits.
         Sixteen = "16",
     }
 }
@@ -63,10 +63,7 @@ pub(super) fn write_png_rows(
 ) -> Result<(), PictureError> {
     let fault = |error: png::EncodingError| match error {
         png::EncodingError::IoError(error) => WriteError::new(path, error).into(),
-        error => PictureError::Encode {
-            path: path.into(),
-            reason: error.to_string(),
-        },
+        error => PictureError::encode(path, &error),
     };
     let mut file = NewFile::create(path)?;
     let mut encoder = png::Encoder::new(BufWriter::new(file.file()), size.x, size.y);

@@ -115,8 +115,15 @@ impl Studio {
 
     /// Gives the light of the part that is shown, in place of its rays, or ends doing so.
     pub fn give_light(&mut self, light: Option<Vec<u8>>) {
-        let given = light.map_or_else(GivenLight::default, GivenLight::new);
-        self.app.world_mut().insert_resource(given);
+        let world = self.app.world_mut();
+        let is_given = world
+            .get_resource::<GivenLight>()
+            .is_some_and(|given| given.is_some());
+        // A picture without given light would be drawn again if the same were said once more.
+        if light.is_none() && !is_given {
+            return;
+        }
+        world.insert_resource(light.map_or_else(GivenLight::default, GivenLight::new));
     }
 
     /// The levels of a file of what is shown. The studio must make them.

@@ -4,8 +4,8 @@ use glam::UVec2;
 use lightfall_core::gpu::BloomLevels;
 use lightfall_core::scene::Part;
 
-/// Most columns and rows of a tile. The program then needs a few hundred MiB on the graphics device,
-/// and as much for a strip of tiles as the picture's width asks for.
+/// Most columns and rows of a tile. A tile takes a few hundred MiB on the graphics device. A strip of tiles
+/// takes memory in proportion to the picture's width.
 const MAX_TILE: UVec2 = UVec2::new(4096, 512);
 
 /// Most pixels of a picture that is drawn at once, unless it is shown in cells: one frame of digital

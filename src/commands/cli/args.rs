@@ -98,8 +98,8 @@ pub struct RenderArgs {
     /// existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the picture in pixels, up to 32768 a side: short for --set picture.width and
-    /// picture.height. A .png of up to 8192 a side keeps its large cells, about picture.grid_height rows
+    /// Size of the picture in pixels, up to 32768 a side and 32768x16384 in all: short for --set
+    /// picture.width and picture.height. A .png of up to 8192 a side keeps its large cells, about picture.grid_height rows
     /// of them; --cells off shows every pixel [default: picture.width by picture.height]
     #[arg(long, value_name = "WxH", value_parser = file_size, allow_hyphen_values = true)]
     pub size: Option<UVec2>,

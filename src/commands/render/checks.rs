@@ -68,28 +68,32 @@ pub(super) fn check_memory(
     }
 }
 
-/// Checks that there is room for what a picture in tiles writes: the file, and for a PNG with bloom the
-/// light of the picture in a temporary file beside it. The file may be smaller than what is asked for,
-/// because it is compressed.
+/// Checks that there is room for what pictures in tiles write: the files, and for a PNG with bloom the
+/// light of the picture in a temporary file beside it, of which there is one at a time. The files may be
+/// smaller than what is asked for, because they are compressed.
 pub(super) fn check_space(
     pictures: &Pictures,
     channels: &Channels,
     tiling: &Tiling,
 ) -> Result<(), Stop> {
-    let Pictures { scene, format, .. } = pictures;
-    let size = scene.picture.size();
-    let of_pixel = match format {
+    let size = pictures.scene.picture.size();
+    let of_pixel = match pictures.format {
         Format::Exr => picture::exr_pixel_bytes(channels),
-        Format::Png | Format::Apng if picture::png_sweeps(scene, &tiling.tiles) > 1 => {
-            tiling.bits.pixel_bytes() + picture::LIGHT_BYTES
-        }
         Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
     };
-    let needed = u64::from(size.x) * u64::from(size.y) * of_pixel;
+    let number = pictures.numbers().len() as u64;
+    let keeps_light = tiling.sweeps(pictures).any(|sweeps| sweeps > 1);
+    let light = if keeps_light { picture::LIGHT_BYTES } else { 0 };
+    let pixels = u64::from(size.x) * u64::from(size.y);
+    let needed = pixels.saturating_mul(of_pixel.saturating_mul(number).saturating_add(light));
+    let what = match number {
+        1 => "a picture".to_owned(),
+        _ => format!("a sequence of {number} pictures"),
+    };
     let (_, file) = pictures.get(pictures.numbers().start);
     match storage::free_space(&file) {
         Some(free) if free < needed => Err(Stop::failed(format!(
-            "{}: a picture of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
+            "{}: {what} of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
              give a smaller --size, or another folder",
             file.display(),
             size.x,

@@ -1,5 +1,6 @@
 //! Pictures that are drawn in tiles: those too large to be drawn at once, and PNGs with 16 bits.
 
+use super::pictures::Pictures;
 use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
@@ -33,8 +34,13 @@ pub(super) fn tiling(
     let is_long = size.max_element() > MAX_PICTURE_SIDE;
     if format == Format::Apng {
         return if is_long {
+            let what = if args.size.is_some() {
+                "--size"
+            } else {
+                "picture.width and picture.height"
+            };
             Err(Stop::refused(format!(
-                "--size: the pictures of an .apng have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
+                "{what}: the pictures of an .apng have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
                  pictures may be larger"
             )))
         } else {
@@ -77,11 +83,12 @@ pub(super) fn tiling(
 }
 
 impl Tiling {
-    /// What the studio does for pictures of this scene.
-    pub(super) fn options(&self, scene: &Scene, options: HeadlessOptions) -> HeadlessOptions {
+    /// What the studio does for these pictures. It keeps light for every picture in tiles, because a stop
+    /// of a journey may switch bloom on.
+    pub(super) fn options(&self, options: HeadlessOptions) -> HeadlessOptions {
         let is_png = !options.light;
         HeadlessOptions {
-            light: options.light || png_sweeps(scene, &self.tiles) > 1,
+            light: options.light || self.tiles.count() > 1,
             levels: is_png.then_some(self.bits.top()),
             part: self
                 .tiles
@@ -92,13 +99,18 @@ impl Tiling {
         }
     }
 
-    /// The progress of this many pictures of a scene: one unit for each tile and sweep.
-    pub(super) fn progress(&self, scene: &Scene, format: Format, pictures: usize) -> Progress {
-        let sweeps = match format {
-            Format::Png => png_sweeps(scene, &self.tiles),
+    /// How often the tiles of each picture are drawn.
+    pub(super) fn sweeps(&self, pictures: &Pictures) -> impl Iterator<Item = usize> {
+        pictures.numbers().map(move |number| match pictures.format {
+            Format::Png => png_sweeps(&pictures.get(number).0, &self.tiles),
             Format::Apng | Format::Exr => 1,
-        };
-        let units = (pictures * sweeps * self.tiles.count()) as f64;
+        })
+    }
+
+    /// The progress of the pictures: one unit for each tile and sweep.
+    pub(super) fn progress(&self, pictures: &Pictures) -> Progress {
+        let sweeps: usize = self.sweeps(pictures).sum();
+        let units = (sweeps * self.tiles.count()) as f64;
         Progress::new("render", units, (0.02 * units).max(1.0))
     }
 }

@@ -400,7 +400,7 @@ fn lessons_open_like_missions_and_where_a_preset_is_needed_they_are_refused() {
         assert_eq!(
             refused.to_string(),
             format!(
-                "{given}: is a journey or a lesson and not a preset; `lightfall --journey {given}` flies it"
+                "{given}: this is a journey or a lesson, not a preset; fly it with `lightfall --journey {given}`"
             )
         );
     }

@@ -30,10 +30,10 @@ pub use folders::{
     presets_folder, settings_file,
 };
 pub use opened::{
-    Opened, is_journey, open_by_name, open_contents, open_file, own_missions, own_presets,
-    read_scene, scene_by_name,
+    Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
+    scene_by_name,
 };
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{
-    SourceError, is_journey_file, journey_by_name, journey_of_file, read_journey, read_stars,
+    SourceError, flyable_journey, journey_by_name, journey_of_file, read_journey, read_stars,
 };

@@ -2,7 +2,7 @@
 
 use super::files::exists;
 use super::folders::{lessons_folder, missions_folder, preset_files, presets_folder};
-use super::scene_source::{SourceError, contents, is_journey_file, text_of_source};
+use super::scene_source::{SourceError, contents, text_of_source};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::ship::Attempt;
 use lightfall_core::scene::journey::{self, Journey, LESSONS};
@@ -24,8 +24,8 @@ pub enum Opened {
 }
 
 impl Opened {
-    /// The scene, and the mission that starts in it, if it is that of one. A journey's scene is the preset
-    /// that it names, or the default one.
+    /// The scene, and the mission if this is one. A journey's scene is the preset that it names, or the
+    /// default one, without overrides.
     #[must_use]
     pub fn into_parts(self) -> (Scene, Option<Box<Mission>>) {
         match self {
@@ -55,9 +55,10 @@ impl Opened {
     }
 }
 
-/// A built-in preset, by number or name; a built-in mission or lesson, by name; one of the user's own
-/// presets, missions or lessons, by name; or a file, by path. `asked` names the option or the command in
-/// errors.
+/// A built-in preset, by number or name; a built-in mission, by name; a file, by path; one of the user's own
+/// presets or missions, by name; a built-in lesson, by name; or one of the user's own lessons, by name: the
+/// first of these that there is. `asked` names the option or the command in errors. A journey takes no
+/// overrides: they are for the scene in which it is flown.
 ///
 /// # Errors
 /// There is none of them, or it cannot be read or is wrong; or an override is wrong.
@@ -73,38 +74,24 @@ pub fn open_by_name(
     if let Some(mission) = name.and_then(mission::built_in) {
         return begun(mission, &given.display().to_string(), overrides);
     }
+    let path = Path::new(given);
+    let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
+    if looks_like_a_path || exists(path) {
+        return open_file(path, overrides);
+    }
+    let has_name = |file: &PathBuf| file.file_stem() == Some(given);
+    let own = own_presets()
+        .into_iter()
+        .chain(own_missions())
+        .find(has_name);
+    if let Some(own) = own {
+        return open_file(&own, overrides);
+    }
     if let Some(lesson) = name.and_then(journey::built_in) {
         return Ok(Opened::Journey(Box::new(lesson)));
     }
-    let path = Path::new(given);
-    let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
-    if !looks_like_a_path && !exists(path) {
-        let mut own = own_files();
-        let own = own.find(|file| file.file_stem() == Some(given));
-        let own = own.ok_or_else(|| unknown(asked, given))?;
-        return open_file(&own, overrides);
-    }
-    open_file(path, overrides)
-}
-
-/// Whether a name or a file is that of a journey, and of no preset and no mission: a built-in lesson, one
-/// of the user's own, or a file with the tables of a journey.
-#[must_use]
-pub fn is_journey(given: &OsStr) -> bool {
-    let name = given.to_str();
-    let is_preset = name.is_some_and(|name| presets::find(name).is_some());
-    let is_mission = || name.is_some_and(|name| mission::built_in(name).is_some());
-    if is_preset || is_mission() {
-        return false;
-    }
-    let path = Path::new(given);
-    if exists(path) {
-        return is_journey_file(path);
-    }
-    let is_own = |file: PathBuf| file.file_stem() == Some(given);
-    let is_own_preset = own_presets().into_iter().chain(own_missions()).any(is_own);
-    let is_built_in = name.is_some_and(|name| journey::built_in(name).is_some());
-    !is_own_preset && (is_built_in || is_journey_file(path))
+    let own = files_of(lessons_folder()).into_iter().find(has_name);
+    open_file(&own.ok_or_else(|| unknown(asked, given))?, overrides)
 }
 
 /// The preset, the mission or the journey of a file, or the preset in a picture.
@@ -115,7 +102,7 @@ pub fn open_file(path: &Path, overrides: &[Override]) -> Result<Opened, SourceEr
     open_contents(path, contents(path)?, overrides)
 }
 
-/// As [`open_file`], for a file with these contents. `path` names it in errors.
+/// As [`open_file`], for a file with these contents. `path` names it in errors. A journey takes no overrides.
 ///
 /// # Errors
 /// As those of [`open_file`].

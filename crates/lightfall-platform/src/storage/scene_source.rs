@@ -58,7 +58,7 @@ pub enum SourceError {
     },
     /// A journey where a preset is needed.
     #[error(
-        "{given}: is a journey or a lesson and not a preset; `lightfall --journey {given}` flies it"
+        "{given}: this is a journey or a lesson, not a preset; fly it with `lightfall --journey {given}`"
     )]
     JourneyAsPreset {
         /// The journey's file or name.
@@ -122,7 +122,18 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
     let Some(path) = file else {
         return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
     };
-    let journey = journey_by_name(path)?;
+    flyable_journey(path, journey_by_name(path)?, scene)
+}
+
+/// The journey, of which all must be possible in `scene`. `path` names it in errors.
+///
+/// # Errors
+/// A part of the journey cannot be flown in `scene`.
+pub fn flyable_journey(
+    path: &Path,
+    journey: Journey,
+    scene: &Scene,
+) -> Result<Journey, SourceError> {
     let checked = journey.check(scene, 0.0, Drawable::new);
     checked
         .map(|()| journey)
@@ -156,17 +167,6 @@ pub fn journey_of_file(path: &Path) -> Result<Journey, SourceError> {
     }
     let text = text_of_source(path, bytes)?;
     Ok(journey::load(&path.display().to_string(), &text)?)
-}
-
-/// Whether a file, given by its path or as the name of the user's own lesson, is meant as a journey, and
-/// not as a preset or a picture.
-#[must_use]
-pub fn is_journey_file(path: &Path) -> bool {
-    let path = &own_lesson(path).unwrap_or_else(|| path.into());
-    contents(path).is_ok_and(|bytes| {
-        !is_picture(&bytes)
-            && text_of_source(path, bytes).is_ok_and(|text| journey::is_journey(&text))
-    })
 }
 
 /// The file of the user's own lesson with this name, where there is no other file of this path.
