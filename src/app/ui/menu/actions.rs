@@ -105,7 +105,8 @@ impl MenuActions<'_> {
             || "not reached, lamps ○○○".into(),
             |best| {
                 let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
-                let par = best.par.map_or_else(String::new, |(quantity, value)| {
+                let par = best.par.filter(|(_, value)| value.is_finite());
+                let par = par.map_or_else(String::new, |(quantity, value)| {
                     let name = quantity.word().replace('_', " ");
                     format!("{name} {}  ", four_digits(value))
                 });
