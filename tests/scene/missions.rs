@@ -465,7 +465,26 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     assert!(!rows[3].is_better_than(&rows[3]) && !rows[0].is_better_than(&rows[1]));
 }
 
-/// Going back to the last goal goes on with the same attempt: its row is the better end of it.
+/// A path that comes away has no highest point, and a table has no word for infinity.
+#[test]
+fn numbers_of_a_result_that_are_not_finite_are_empty_cells_and_the_row_is_read_again() {
+    let missed = MissionResult {
+        par: Some((Quantity::Apoapsis, f64::INFINITY)),
+        peak_tide: f64::INFINITY,
+        ..result("graze", false, 0, 0.5)
+    };
+    let row = missed.row();
+    assert!(row.contains(",apoapsis,,9.5,,5.99,"), "{row}");
+    let read = MissionResult::read(&row).unwrap();
+    assert_eq!(read.row(), row);
+    assert_eq!(
+        read.par.map(|(quantity, _)| quantity),
+        Some(Quantity::Apoapsis)
+    );
+}
+
+/// Going back to the last goal goes on with the same attempt: its row is the better end of it, and of two
+/// misses the later one.
 #[test]
 fn an_attempt_that_is_gone_on_with_has_one_row_and_keeps_its_better_end() {
     let folder = tempfile::tempdir().unwrap();
@@ -478,8 +497,13 @@ fn an_attempt_that_is_gone_on_with_has_one_row_and_keeps_its_better_end() {
     let missed = result("graze", false, 0, 0.5);
     let (kept, written) = results.keep(None, missed.clone());
     assert_eq!((kept, written), (missed.clone(), Ok(())));
+    // Of two misses the later one stays, whatever was spent.
+    let again = result("graze", false, 0, 0.7);
+    let (kept, _) = results.keep(Some(missed), again.clone());
+    assert_eq!(kept, again);
+    assert_eq!(rows(), [again.row()]);
     let reached = result("graze", true, 2, 1.2);
-    let (kept, _) = results.keep(Some(missed), reached.clone());
+    let (kept, _) = results.keep(Some(again), reached.clone());
     assert_eq!(kept, reached);
     assert_eq!(rows(), [reached.row()]);
     // An answer may have been given since.

@@ -203,6 +203,26 @@ fn texts_of_missions_have_their_lengths_and_times_in_kilometres_and_minutes() {
                 units.length(3.1, four_digits)
             ),
         ),
+        (
+            "Down (1.6 r_s), ~2 r_s, then 2/3 r_s.",
+            format!(
+                "Down ({}), ~{}, then {}.",
+                units.length(1.6, four_digits),
+                units.length(2.0, four_digits),
+                units.length(2.0 / 3.0, four_digits)
+            ),
+        ),
+        (
+            "At 2.9, 3.0 and 3.1 r_s, or at 4 to 5 r_s",
+            format!(
+                "At {}, {} and {}, or at {} to {}",
+                units.length(2.9, four_digits),
+                units.length(3.0, four_digits),
+                units.length(3.1, four_digits),
+                units.length(4.0, four_digits),
+                units.length(5.0, four_digits)
+            ),
+        ),
         // What has no number, and what is no length, stays.
         (
             "pi/2 r_s/c, 2 and r_s, 0.3 c^2/r_s, 5 r_sx, E of 1.7",

@@ -5,10 +5,29 @@ use bevy::prelude::*;
 /// A control to name on the card: its name in the table, and what it does now.
 pub(crate) type Way = (&'static str, &'static str);
 
+/// What a lamp is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LampKind {
+    Goals,
+    Par,
+    Time,
+}
+
+impl LampKind {
+    /// Its word on the card.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Goals => "goals",
+            Self::Par => "par",
+            Self::Time => "time",
+        }
+    }
+}
+
 /// A lamp on the card: what it is for, and what it needed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lamp {
-    pub(crate) name: &'static str,
+    pub(crate) kind: LampKind,
     pub(crate) is_lit: bool,
     pub(crate) needed: String,
 }

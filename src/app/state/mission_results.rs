@@ -83,10 +83,10 @@ impl MissionResult {
 
     /// Whether it is the same end of the same attempt. An answer may have been given since.
     fn is_same_end(&self, other: &Self) -> bool {
-        let unanswered = |it: &Self| Self {
+        let unanswered = |result: &Self| Self {
             answer: None,
             is_right: None,
-            ..it.clone()
+            ..result.clone()
         };
         // As rows, for those of the file are rounded.
         unanswered(self).row() == unanswered(other).row()
@@ -103,7 +103,12 @@ impl MissionResult {
     pub fn read(row: &str) -> Option<Self> {
         let cells: Vec<&str> = row.trim_end().split(',').collect();
         let number = |index: usize| cells.get(index)?.parse::<f64>().ok();
-        let par = Quantity::from_word(cells.get(7)?).zip(number(8));
+        // A value that was not finite has an empty cell.
+        let measured = |index: usize| match cells.get(index) {
+            Some(&"") => Some(f64::NAN),
+            _ => number(index),
+        };
+        let par = Quantity::from_word(cells.get(7)?).zip(measured(8));
         Some(Self {
             mission: cells[0].into(),
             reached: match cells[1] {
@@ -117,10 +122,10 @@ impl MissionResult {
             far_time: number(5),
             rapidity_used: number(6)?,
             par,
-            peak_g: number(9)?,
-            peak_tide: number(10)?,
-            lowest: number(11)?,
-            error: number(12)?,
+            peak_g: measured(9)?,
+            peak_tide: measured(10)?,
+            lowest: measured(11)?,
+            error: measured(12)?,
             answer: number(13),
             is_right: cells.get(14).and_then(|cell| cell.parse().ok()),
         })
@@ -181,8 +186,9 @@ impl MissionResults {
         most.map(|(row, _)| row)
     }
 
-    /// Keeps the end of an attempt. `before` is an end of the same attempt from which the player went back:
-    /// the better one of the two stays. Returns the one that is kept, and why the file is not written.
+    /// Keeps the end of an attempt. `before` is an end of the same attempt from which the player went back.
+    /// One at which the goals were reached stays unless this one is better. A miss gives way to this one,
+    /// also to another miss: of two misses the later one stays. Returns the one that is kept, and why the file is not written.
     pub fn keep(
         &mut self,
         before: Option<MissionResult>,
@@ -236,7 +242,7 @@ impl MissionResults {
             None => self.rows.push(result),
         }
         let is_old =
-            |line: &String| MissionResult::read(line).is_some_and(|it| it.is_same_end(old));
+            |line: &String| MissionResult::read(line).is_some_and(|kept| kept.is_same_end(old));
         self.rewrite(|lines| match lines.iter().rposition(is_old) {
             Some(index) => lines[index] = row,
             None => lines.push(row),

@@ -3,6 +3,7 @@
 use super::end_card::EndCard;
 use super::mission_results::{MissionResult, MissionResults};
 use bevy::prelude::*;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Question;
 use lightfall_core::scene::mission::{MISSIONS, Mission, load};
 use lightfall_platform::storage::{Opened, mission_results_file, open_file, own_missions};
@@ -50,10 +51,16 @@ impl AskedQuestion {
         std::mem::take(self).card
     }
 
-    /// Takes what was typed as the answer, says whether it is right, and returns the result with it.
-    pub(crate) fn answer(&mut self) -> Option<MissionResult> {
+    /// Takes what was typed as the answer, says whether it is right, and returns the result with it. The
+    /// hint has its lengths and times in these units. A wrong answer, which the sentence repeats, leaves
+    /// the field empty for the next one.
+    pub(crate) fn answer(&mut self, units: Units) -> Option<MissionResult> {
         let (question, result) = self.asked.as_mut()?;
-        match question.judge(&self.typed) {
+        let question = Question {
+            hint: units.in_text(&question.hint),
+            ..question.clone()
+        };
+        let answered = match question.judge(&self.typed) {
             Ok(judged) => {
                 (result.answer, result.is_right) = (Some(judged.number), Some(judged.is_right));
                 (self.is_right, self.said) = (judged.is_right, judged.said);
@@ -63,7 +70,11 @@ impl AskedQuestion {
                 self.said = fault;
                 None
             }
+        };
+        if !self.is_right {
+            self.typed.clear();
         }
+        answered
     }
 }
 

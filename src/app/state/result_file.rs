@@ -46,8 +46,12 @@ fn existing_lines(file: &Path, header: &str, header_start: &str) -> Result<Vec<S
 }
 
 /// A number as a cell: ten significant digits, which is more than any result is known to, and small and
-/// large ones with an exponent.
+/// large ones with an exponent. One that is infinite or no number is an empty cell, which every reader of
+/// tables understands.
 pub(super) fn cell(number: f64) -> String {
+    if !number.is_finite() {
+        return String::new();
+    }
     let rounded: f64 = format!("{number:.9e}").parse().unwrap_or(number);
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         rounded.to_string()

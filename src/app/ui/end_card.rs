@@ -1,7 +1,7 @@
 //! Draws the end card beside the hole.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::state::end_card::{EndCard, Lamp};
+use crate::app::state::end_card::{EndCard, Lamp, LampKind};
 use crate::app::ui::layout::{Importance, Slide};
 use crate::app::ui::screen::{Screen, show_placed, text_box};
 use bevy::prelude::*;
@@ -82,10 +82,10 @@ fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
 /// Shows the lamps, each with its name and what it needed.
 fn show_lamps(ui: &mut egui::Ui, lamps: &[Lamp], size: f32) {
     for lamp in lamps {
-        let lit = match lamp.name {
-            "par" => PAR,
-            "time" => TIME,
-            _ => GOALS,
+        let lit = match lamp.kind {
+            LampKind::Goals => GOALS,
+            LampKind::Par => PAR,
+            LampKind::Time => TIME,
         };
         let (sign, colour) = if lamp.is_lit {
             ("●", lit)
@@ -95,7 +95,7 @@ fn show_lamps(ui: &mut egui::Ui, lamps: &[Lamp], size: f32) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.label(words(sign, 1.3 * size, colour));
-            ui.label(words(lamp.name, size, WHITE).strong());
+            ui.label(words(lamp.kind.word(), size, WHITE).strong());
             ui.label(words(&lamp.needed, 0.9 * size, GREY));
         });
     }

@@ -211,6 +211,12 @@ fn faults_of_a_stop_are_reported_with_its_number_and_key_and_unknown_keys_with_t
         assert!(said.starts_with(&start), "{said}\n{start}");
         assert!(said.ends_with(known), "{said}");
     }
+    // A stop without any key has the line of its own header.
+    let empty = fault("[[stop]]\nat = 5\n\n[[stop]]\n\n[[stop]]\nat = 6");
+    assert!(
+        empty.starts_with("j.toml: line 10: stop 2: at is missing"),
+        "{empty}"
+    );
     let comma = fault(
         "[[stop]]\nat = 5\nquestion = { text = \"Is v = 1,5?\", answer = 0,8165, tolerance = 0.1 }",
     );

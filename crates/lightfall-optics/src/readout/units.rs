@@ -35,7 +35,8 @@ impl Units {
     }
 
     /// A text whose lengths and times are in r_s and r_s/c, with both in these units: every number before
-    /// such a unit, and the one before it if `and`, `to` or `or` joins them.
+    /// such a unit, with the signs around it, and those of a list before it that commas, `and`, `to` or `or`
+    /// join.
     pub fn in_text(self, text: &str) -> String {
         if self == Self::Hole {
             return text.to_owned();
@@ -48,22 +49,32 @@ impl Units {
                 word if word.starts_with("r_s") => ("r_s", word[3..].to_owned()),
                 _ => ("", String::new()),
             };
-            let number = |word: &str| word.parse::<f64>().ok().filter(|it| it.is_finite());
-            let ends = after.chars().all(|it| !it.is_alphanumeric());
-            let (Some(value), true, true) = (number(&words[place - 1]), !unit.is_empty(), ends)
-            else {
+            let ends = after.chars().all(|c| !c.is_alphanumeric());
+            let in_units = |word: &str| {
+                let (signs, value) = number(word)?;
+                let amount = match unit {
+                    "r_s" => self.length(value, four_digits),
+                    _ => self.time(value, four_digits),
+                };
+                Some(format!("{signs}{amount}"))
+            };
+            let is_unit = !unit.is_empty() && ends;
+            let Some(last) = in_units(&words[place - 1]).filter(|_| is_unit) else {
                 place += 1;
                 continue;
             };
-            let in_units = |value: f64| match unit {
-                "r_s" => self.length(value, four_digits),
-                _ => self.time(value, four_digits),
-            };
-            words[place - 1] = in_units(value) + &after;
+            words[place - 1] = last + &after;
             words.remove(place);
-            let is_joined = place >= 3 && ["and", "to", "or"].contains(&words[place - 2].as_str());
-            if let Some(first) = number(&words[place.saturating_sub(3)]).filter(|_| is_joined) {
-                words[place - 3] = in_units(first);
+            let mut first = place - 1;
+            while let Some(before) = listed_before(&words[..first]) {
+                let word = &words[before];
+                let listed = word.trim_end_matches(',');
+                let commas = &word[listed.len()..];
+                let Some(amount) = in_units(listed) else {
+                    break;
+                };
+                words[before] = amount + commas;
+                first = before;
             }
         }
         words.join(" ")
@@ -73,4 +84,28 @@ impl Units {
     pub fn are_simple(self) -> bool {
         self != Self::Hole
     }
+}
+
+/// A word as a number, such as `1.6`, `(1.6`, `~2` or `2/3`, after the signs before it.
+fn number(word: &str) -> Option<(&str, f64)> {
+    let is_sign = |c: char| !c.is_alphanumeric() && !".+-".contains(c);
+    let digits = word.trim_start_matches(is_sign);
+    let signs = &word[..word.len() - digits.len()];
+    let value: f64 = match digits.split_once('/') {
+        Some((above, below)) => above.parse::<f64>().ok()? / below.parse::<f64>().ok()?,
+        None => digits.parse().ok()?,
+    };
+    value.is_finite().then_some((signs, value))
+}
+
+/// The place of the number with which these words end, if a list goes on after it: one before a joining word,
+/// or one with a comma.
+fn listed_before(words: &[String]) -> Option<usize> {
+    let (last, others) = words.split_last()?;
+    let (place, listed) = if ["and", "to", "or"].contains(&last.as_str()) {
+        (words.len().checked_sub(2)?, others.last()?.as_str())
+    } else {
+        (others.len(), last.strip_suffix(',')?)
+    };
+    number(listed.trim_end_matches(',')).map(|_| place)
 }

@@ -23,6 +23,7 @@ use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
 use lightfall_core::numbers::with_short_numbers;
 use lightfall_core::optics::ship::BoardError;
+use lightfall_core::scene::mission::Mission;
 
 /// Takes the controls and leaves them by their key. A journey takes them away.
 pub(super) fn take_controls(
@@ -87,10 +88,12 @@ pub(super) fn apply_ship_commands(
             continue;
         };
         let flying = voyage.flight.ship;
-        let leads_on = matches!(
-            command,
-            ShipCommand::Checkpoint | ShipCommand::Again | ShipCommand::NextMission
-        );
+        let leads_on = match command {
+            ShipCommand::Checkpoint | ShipCommand::Again => true,
+            // Without a next mission the card does not name its key.
+            ShipCommand::NextMission => next_mission(&ship, &missions).is_some(),
+            _ => false,
+        };
         if end_card.is_open() && end_card.closes == Closes::Named {
             // A key of the flight that is pressed as it ends would change what stands still.
             if !leads_on {
@@ -139,9 +142,10 @@ pub(super) fn apply_ship_commands(
                 asked.close();
                 let is_goal = ship.go_back();
                 play.go_back(is_goal);
-                editor.say(match is_goal {
-                    true => "Back at the last goal",
-                    false => "Back at the start",
+                editor.say(if is_goal {
+                    "Back at the last goal"
+                } else {
+                    "Back at the start"
                 });
             }
             ShipCommand::Again => {
@@ -152,15 +156,17 @@ pub(super) fn apply_ship_commands(
             }
             // The result is kept first.
             ShipCommand::NextMission if !play.is_told() => {}
-            ShipCommand::NextMission => {
-                let name = ship.attempt().map(|attempt| attempt.mission.name.as_str());
-                match name.and_then(|name| missions.next_after(name)) {
-                    Some(next) => drop(starts.write(StartMission(Box::new(next.clone())))),
-                    None => editor.say("Every mission of the list is reached"),
-                }
-            }
+            ShipCommand::NextMission => match next_mission(&ship, &missions) {
+                Some(next) => drop(starts.write(StartMission(Box::new(next.clone())))),
+                None => editor.say("Every mission of the list is reached"),
+            },
         }
     }
+}
+
+/// The mission of the list to fly after the one under way: the next one that was not reached.
+fn next_mission<'a>(ship: &ShipFlight, missions: &'a Missions) -> Option<&'a Mission> {
+    missions.next_after(&ship.attempt()?.mission.name)
 }
 
 /// The sentence with a capital first letter.

@@ -61,9 +61,10 @@ impl MissionPlay {
 
     /// Goes on with the attempt from the last goal, or from the start.
     pub(super) fn go_back(&mut self, to_goal: bool) {
-        let (shown, caption, reached) = match to_goal {
-            true => self.at_goal.clone(),
-            false => Default::default(),
+        let (shown, caption, reached) = if to_goal {
+            self.at_goal.clone()
+        } else {
+            Default::default()
         };
         // One that was read when the goal was reached gives way to what is due now.
         let caption = caption.map(|index| (index, Duration::ZERO));
@@ -247,7 +248,7 @@ fn nearest_miss<'a>(missions: &'a Missions, attempt: &Attempt) -> Option<&'a Mis
     missions.results.nearest_miss(&mission.name, par.quantity)
 }
 
-/// The hint for so many failed attempts: the last one that is due.
+/// The hint after so many failures: the last one that is due.
 fn due_hint(hints: &[Hint], failed: u32) -> Option<&str> {
     let due = hints.iter().filter(|hint| hint.after <= failed);
     due.max_by_key(|hint| hint.after)

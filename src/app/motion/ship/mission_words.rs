@@ -1,7 +1,7 @@
 //! What the window says of a mission.
 
 use super::score::{par_limit, time_limit};
-use crate::app::state::end_card::{Closes, EndCard, Lamp, Way};
+use crate::app::state::end_card::{Closes, EndCard, Lamp, LampKind, Way};
 use crate::app::state::mission_results::MissionResult;
 use lightfall_core::numbers::{counted, four_digits, three_digits};
 use lightfall_core::optics::readout::units::Units;
@@ -80,9 +80,10 @@ fn ways_on(has_succeeded: bool, has_next: bool) -> Vec<Way> {
     let back = ("scene.undo", "back to the last goal, or the start");
     let others = ("ship.missions", "other missions");
     let leave = ("ship.fly", "leave the ship");
-    let mut ways = match has_succeeded {
-        true => vec![next, others, back, again, leave],
-        false => vec![again, back, next, others, leave],
+    let mut ways = if has_succeeded {
+        vec![next, others, back, again, leave]
+    } else {
+        vec![again, back, next, others, leave]
     };
     ways.retain(|way| has_next || *way != next);
     ways
@@ -152,12 +153,16 @@ fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
         format!("needed at most {limit} on your clock")
     });
     // Without a par or a solution its lamp says what that of the goals does.
-    let needed = [("goals", Some(reached)), ("par", par), ("time", time)];
+    let needed = [
+        (LampKind::Goals, Some(reached)),
+        (LampKind::Par, par),
+        (LampKind::Time, time),
+    ];
     let lamps = needed.into_iter().zip(end.lit);
     lamps
-        .filter_map(|((name, needed), is_lit)| {
+        .filter_map(|((kind, needed), is_lit)| {
             Some(Lamp {
-                name,
+                kind,
                 is_lit,
                 needed: needed?,
             })
@@ -181,10 +186,12 @@ fn record(end: &End) -> String {
     };
     let lamps = counted(best.lamps, "lamp");
     let rapidity = four_digits(best.rapidity_used);
-    let now = match kept.is_better_than(best) {
-        true => " This one is better.",
-        false if kept.reached => " This one is not better.",
-        false => "",
+    let now = if kept.is_better_than(best) {
+        " This one is better."
+    } else if kept.reached {
+        " This one is not better."
+    } else {
+        ""
     };
     format!("\nYour best before: {lamps}, rapidity {rapidity}.{now}")
 }
@@ -198,9 +205,10 @@ fn numbers(mission: &Mission, kept: &MissionResult, units: Units) -> String {
     let lowest = units.length(kept.lowest, four_digits);
     // The lamp of the par may say it.
     let is_par = |par: &Par| par.quantity == Quantity::RapidityUsed;
-    let rapidity = match mission.pars.first().is_some_and(is_par) {
-        true => String::new(),
-        false => format!("rapidity {}, ", four_digits(kept.rapidity_used)),
+    let rapidity = if mission.pars.first().is_some_and(is_par) {
+        String::new()
+    } else {
+        format!("rapidity {}, ", four_digits(kept.rapidity_used))
     };
     format!(
         "your clock {own}{far}\n{rapidity}at most {} g\nlowest point {lowest}, error {:.0e}",

@@ -16,6 +16,7 @@ mod nose;
 mod pace;
 mod score;
 mod ship_flight;
+mod ship_state;
 mod stick;
 mod track;
 mod words;

@@ -218,36 +218,6 @@ impl ShipFlight {
         self.mass().unwrap_or_else(|| settings.mass())
     }
 
-    /// Whether the ship has an engine. A tank without fuel is one.
-    #[must_use]
-    pub fn has_engine(&self) -> bool {
-        self.voyage().is_some_and(|voyage| {
-            let rocket = &voyage.flight.rocket;
-            rocket.left() + rocket.used() > 0.0
-        })
-    }
-
-    /// Whether the engine can push: there is fuel.
-    #[must_use]
-    pub fn can_push(&self) -> bool {
-        self.has_engine() && !self.is_empty()
-    }
-
-    /// The rapidity that the hold takes to reach its motion, and what is left in the tank.
-    #[must_use]
-    pub fn hold_takes(&self) -> Option<[f64; 2]> {
-        let flight = &self.voyage()?.flight;
-        let rapidity = self.hold()?.rapidity(&flight.ship).ok()?;
-        Some([rapidity, flight.rocket.left()])
-    }
-
-    /// Whether the tank of its engine is empty.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        let is_empty = |voyage: &Voyage| voyage.flight.rocket.left() == 0.0;
-        self.has_engine() && self.voyage().is_some_and(is_empty)
-    }
-
     /// The time of a turn of the clocks' dials, in r_s/c.
     #[must_use]
     pub fn dial(&self) -> f64 {
@@ -270,7 +240,8 @@ impl ShipFlight {
             let steps = if aboard.is_far { steps.min(0) } else { steps };
             match steps {
                 1.. => aboard.passes_apsides |= std::mem::take(&mut aboard.stopped_at_apsis),
-                _ => aboard.end_passing(),
+                ..0 => aboard.end_passing(),
+                0 => {}
             }
             let fastest = aboard.engine().fastest();
             let pace = aboard.pace.min(fastest) * PACE_STEP.powi(steps);

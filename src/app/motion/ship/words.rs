@@ -52,9 +52,12 @@ fn headings_row(chosen: Option<Heading>) -> String {
         Some(Heading::Observer(_)) => None,
         None => Some(5),
     };
-    let mark = |(index, name): (usize, &str)| match Some(index) == place {
-        true => format!("[{name}]"),
-        false => name.to_owned(),
+    let mark = |(index, name): (usize, &str)| {
+        if Some(index) == place {
+            format!("[{name}]")
+        } else {
+            name.to_owned()
+        }
     };
     row.into_iter()
         .enumerate()
@@ -102,9 +105,10 @@ pub(super) fn looking(look: Look, bindings: &Bindings) -> String {
 
 /// What a key of a hold says where the engine cannot push.
 pub(super) fn no_thrust(ship: &ShipFlight) -> &'static str {
-    match ship.is_empty() {
-        true => "The tank is empty: nothing can hold the ship",
-        false => "The ship has no engine: nothing can hold it",
+    if ship.is_empty() {
+        "The tank is empty: nothing can hold the ship"
+    } else {
+        "The ship has no engine: nothing can hold it"
     }
 }
 
@@ -114,14 +118,17 @@ pub(super) fn holding(ship: &ShipFlight, kind: HoldKind, units: Units) -> String
     let takes = ship.hold_takes().map_or_else(String::new, |[takes, left]| {
         let lacks = if takes > left { ": too much" } else { "" };
         let [takes, left] = [takes, left].map(|rapidity| format!("{rapidity:.4}"));
-        format!(" (takes the rapidity {takes} of {left}{lacks})")
+        match ship.hold() {
+            // The change to an orbit is all that it takes; standing still takes more each moment.
+            Some(Hold::Hover(_)) => format!(
+                " (stopping takes {takes} of the rapidity {left} left{lacks}; holding takes more)"
+            ),
+            _ => format!(" (takes {takes} of the rapidity {left} left{lacks})"),
+        }
     });
     match ship.hold() {
         Some(Hold::Orbit(r)) => format!("Holds the orbit at {}{takes}", at(r)),
-        Some(Hold::Hover(r)) => format!(
-            "Holds still at {}{takes}, and more as long as it lasts",
-            at(r)
-        ),
+        Some(Hold::Hover(r)) => format!("Holds still at {}{takes}", at(r)),
         Some(Hold::Zamo(r)) => format!(
             "Holds the radius {}: nothing stands still in the ergosphere",
             at(r)
@@ -168,17 +175,19 @@ pub(crate) fn multiple(pace: f64) -> String {
 
 /// What has happened in a frame.
 pub(super) fn news(news: News, bindings: &Bindings) -> String {
-    let passes = format!(
-        "{} passes the next ones",
-        bindings.first_label("motion.faster")
-    );
+    let faster = bindings.first_label("motion.faster");
+    let passes = if faster.is_empty() {
+        String::new()
+    } else {
+        format!(" ({faster} passes the next ones)")
+    };
     match news {
         News::Refused(refusal) => format!("The engine is off: {refusal}"),
         News::Far => FAR.into(),
         News::LittleFuel => "Less than a fifth of the tank is left".into(),
         News::Empty => "The tank is empty".into(),
-        News::Slowed(Stop::Low) => format!("The lowest point: time runs as usual ({passes})"),
-        News::Slowed(Stop::High) => format!("The highest point: time runs as usual ({passes})"),
+        News::Slowed(Stop::Low) => format!("The lowest point: time runs as usual{passes}"),
+        News::Slowed(Stop::High) => format!("The highest point: time runs as usual{passes}"),
         News::Slowed(Stop::Goal) => "The goal's radius: time runs as usual".into(),
         News::Slowed(Stop::Horizon) => "Near the horizon: time runs as usual".into(),
     }

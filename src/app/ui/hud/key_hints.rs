@@ -185,9 +185,10 @@ pub(super) fn show_key_hints(
     } else if free_fall.is_moving() {
         FALL_KEYS.to_vec()
     } else if helm.has_ship() {
-        match ship.has_engine() {
-            true => SHIP_KEYS.to_vec(),
-            false => DRIFT_KEYS.to_vec(),
+        if ship.has_engine() {
+            SHIP_KEYS.to_vec()
+        } else {
+            DRIFT_KEYS.to_vec()
         }
     } else if named {
         NEWCOMERS_KEYS.to_vec()

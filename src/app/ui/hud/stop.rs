@@ -187,13 +187,15 @@ fn ask(
     let mut judged = None;
     if step == Step::Answers {
         match question.judge(&answer.typed) {
-            Ok(it) => {
-                (answer.is_right, answer.said) = (it.is_right, it.said.clone());
-                judged = Some(it);
+            Ok(now) => {
+                (answer.is_right, answer.said) = (now.is_right, now.said.clone());
+                judged = Some(now);
             }
             Err(fault) => answer.said = fault,
         }
         if !answer.is_right {
+            // What is said repeats the wrong answer, and the next one begins with an empty field.
+            answer.typed.clear();
             field.request_focus();
         }
     }

@@ -9,10 +9,13 @@ use crate::app::state::lessons::{GuidedJourney, Lessons, StartJourney};
 use crate::app::state::menu::{Menu, MenuEntry, MenuList};
 use crate::app::state::missions::{Missions, StartMission};
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::state::settings::Settings;
 use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::numbers::{counted, four_digits};
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::IN_BROWSER;
@@ -91,8 +94,8 @@ impl MenuActions<'_> {
         }
     }
 
-    /// A mission's title, and the best that was reached in it: the lamps of its end card, all dark before the
-    /// first success.
+    /// A mission's title, and the best that was reached in it: its three lamps, all dark before the first
+    /// success.
     fn mission_words(&self, index: usize) -> [String; 2] {
         let Some(mission) = self.missions.list.get(index) else {
             return Default::default();
@@ -102,7 +105,8 @@ impl MenuActions<'_> {
             || "not reached, lamps ○○○".into(),
             |best| {
                 let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
-                let par = best.par.map_or_else(String::new, |(quantity, value)| {
+                let par = best.par.filter(|(_, value)| value.is_finite());
+                let par = par.map_or_else(String::new, |(quantity, value)| {
                     let name = quantity.word().replace('_', " ");
                     format!("{name} {}  ", four_digits(value))
                 });
@@ -129,7 +133,7 @@ impl MenuActions<'_> {
     }
 
     /// The line below the entries.
-    pub(super) fn hint(&self, bindings: &Bindings) -> String {
+    pub(super) fn hint(&self, bindings: &Bindings, settings: &Settings) -> String {
         const KEYS: &str = "Up, Down and Enter choose";
         let file = self.missions.results.file().filter(|_| !IN_BROWSER);
         if let MenuEntry::Lesson(index) = self.menu.selected()
@@ -141,10 +145,15 @@ impl MenuActions<'_> {
         if let MenuEntry::Mission(index) = self.menu.selected()
             && let Some(mission) = self.missions.list.get(index)
         {
-            return bindings.with_keys(match mission.teaches.as_str() {
+            let text = match mission.teaches.as_str() {
                 "" => mission.brief.as_str(),
                 teaches => teaches,
-            });
+            };
+            let units = match settings.units() {
+                Units::Everyday(_) => Units::Everyday(HoleMass::of_suns(mission.hole.mass_suns)),
+                Units::Hole => Units::Hole,
+            };
+            return bindings.with_keys(&units.in_text(text));
         }
         match (self.menu.list(), file) {
             (MenuList::Missions(_), Some(file)) => {

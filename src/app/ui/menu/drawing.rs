@@ -3,6 +3,7 @@
 use super::actions::MenuActions;
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::menu::{Menu, MenuEntry, MenuList};
+use crate::app::state::preferences::Preferences;
 use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
@@ -27,7 +28,7 @@ const SHADE: Color32 = Color32::from_black_alpha(130);
 
 pub(super) fn show_menu(
     mut contexts: EguiContexts,
-    bindings: Res<Bindings>,
+    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     mut actions: MenuActions,
 ) -> Result {
     if !actions.menu.is_open() {
@@ -50,7 +51,7 @@ pub(super) fn show_menu(
                 MenuList::Missions(_) => "Missions",
                 MenuList::Lessons(_) => "Lessons",
             };
-            let hint = actions.hint(&bindings);
+            let hint = actions.hint(&bindings, &preferences.settings);
             let entries = actions.menu.entries();
             let rows: Vec<Row> = entries
                 .into_iter()

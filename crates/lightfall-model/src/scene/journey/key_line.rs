@@ -27,8 +27,10 @@ pub(super) fn line_of(text: &str, table: Option<(&str, usize)>, key: &str) -> Op
         (Some(at), None) | (None, Some(at)) => line_at(text, at),
         // Which of the two it is, the fault does not say.
         (Some(_), Some(_)) | (None, None) => {
-            let first = inside.iter().map(|(key, _)| key.span().start).min()?;
-            head_above(text, name, first).or_else(|| line_at(text, first))
+            match inside.iter().map(|(key, _)| key.span().start).min() {
+                Some(first) => head_above(text, name, first).or_else(|| line_at(text, first)),
+                None => head_of(text, name, number),
+            }
         }
     }
 }
@@ -49,14 +51,24 @@ fn start_of(table: &DeTable<'_>, key: &str) -> Option<usize> {
     at
 }
 
+/// Whether a line is a head `[[name]]`.
+fn is_head(line: &str, name: &str) -> bool {
+    let inside = line.trim_start().strip_prefix("[[");
+    inside.is_some_and(|rest| rest.trim_start().starts_with(name))
+}
+
 /// The line of the nearest head `[[name]]` above a place.
 fn head_above(text: &str, name: &str, at: usize) -> Option<usize> {
-    let is_head = |line: &str| {
-        let inside = line.trim_start().strip_prefix("[[");
-        inside.is_some_and(|rest| rest.trim_start().starts_with(name))
-    };
     let above: Vec<&str> = text.get(..at)?.lines().collect();
-    let place = above.iter().rposition(|line| is_head(line))?;
+    let place = above.iter().rposition(|line| is_head(line, name))?;
+    Some(place + 1)
+}
+
+/// The line of the head `[[name]]` of this number, from 1: that of a table without any key.
+fn head_of(text: &str, name: &str, number: usize) -> Option<usize> {
+    let lines = text.lines().enumerate();
+    let mut heads = lines.filter(|(_, line)| is_head(line, name));
+    let (place, _) = heads.nth(number.checked_sub(1)?)?;
     Some(place + 1)
 }
 

@@ -95,9 +95,10 @@ fn read_time(
             _ => format!("a number of seconds from {start} to {end}, within the journey"),
         };
         let ends_before = given.is_some_and(|at| at > end);
-        let remark = match ends_before {
-            true => ": the last [[keyframe]] must be as late as the last [[stop]]",
-            false => "",
+        let remark = if ends_before {
+            ": the last [[keyframe]] must be as late as the last [[stop]]"
+        } else {
+            ""
         };
         refused(number, "at", at, allowed + remark)
     })

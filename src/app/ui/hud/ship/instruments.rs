@@ -3,6 +3,7 @@
 use super::dial::draw_dial;
 use super::values::{Instrument, instruments};
 use crate::app::motion::ship::ShipFlight;
+use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT, WARNING};
 use crate::app::ui::layout::{Layout, Slide, Wish};
@@ -37,7 +38,7 @@ struct Clock {
 pub(in crate::app::ui::hud) fn show_instruments(
     mut screen: Screen,
     ship: Res<ShipFlight>,
-    preferences: Res<Preferences>,
+    (preferences, paused): (Res<Preferences>, Res<Paused>),
 ) {
     let Some(voyage) = ship.voyage() else {
         return;
@@ -50,7 +51,12 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let clocks = Clocks::new(&voyage.flight.ship);
     let ratio = clocks.far_rate.map(|rate| format!("× {rate:.4}"));
     let clocks = dials(&clocks, ship.dial(), units);
-    let all = instruments(&ship, mass, units);
+    let mut all = instruments(&ship, mass, units);
+    if paused.0 {
+        for row in all.iter_mut().filter(|row| row.label == "time") {
+            row.value = "stands still".into();
+        }
+    }
     let rows = |is_shown: fn(&Instrument) -> bool| -> Vec<Instrument> {
         all.iter().filter(|row| is_shown(row)).cloned().collect()
     };

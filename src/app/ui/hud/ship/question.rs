@@ -45,6 +45,7 @@ pub(in crate::app::ui::hud) fn show_question(
             egui::Align2::RIGHT_CENTER.align_size_within_rect(size, layout.bounds())
         });
     layout.take(NAME, place);
+    let units = ship.units(&preferences.settings);
     let (mut used, mut closes) = (None, false);
     egui::Area::new(NAME.into())
         .fixed_pos(place.min)
@@ -52,7 +53,6 @@ pub(in crate::app::ui::hud) fn show_question(
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
             text_box(14.0, 8.0).show(ui, |ui| {
-                let units = ship.units(&preferences.settings);
                 let text = bindings.with_keys(&units.in_text(&question.text));
                 ui.label(egui::RichText::new(text).size(15.0));
                 ui.add_space(6.0);
@@ -75,7 +75,8 @@ pub(in crate::app::ui::hud) fn show_question(
     if closes || step == Step::IsDone {
         *end_card = asked.close();
     } else if step == Step::Answers {
-        let kept = asked.answer().map(|it| missions.results.correct_last(it));
+        let answered = asked.answer(units);
+        let kept = answered.map(|result| missions.results.correct_last(result));
         if let Some(Err(fault)) = kept {
             toast.say(fault);
         }
