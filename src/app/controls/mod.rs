@@ -16,4 +16,4 @@ pub(crate) mod refusal;
 pub(crate) mod sections;
 pub(crate) mod statement;
 pub(crate) mod table;
-mod text_keys;
+pub(crate) mod text_keys;
