@@ -44,6 +44,7 @@ fn about<'a>(scene: &'a Scene, studio: &Studio, channels: &'a Channels) -> Linea
         scene,
         record: studio.record(scene),
         light: Captured::empty(),
+        first_row: 0,
         channels,
         samples: Vec::new(),
         form: ExrForm::default(),

@@ -7,7 +7,7 @@ use bevy::ecs::schedule::ScheduleLabel;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Frame, Part};
+use lightfall_core::scene::{Frame, Part, Projection};
 
 /// The scene as it was last chosen or flown: at its own size, with the exposure and the time of the
 /// disk that it was chosen with.
@@ -35,19 +35,29 @@ pub struct DrawnPart(Option<Parts>);
 struct Parts {
     wanted: Part,
     drawn: Part,
+    /// Where what is wanted begins in what is drawn.
+    inset: UVec2,
 }
 
 impl DrawnPart {
-    /// The part of a frame, with an apron where its light is not given.
-    fn of(frame: &Frame, apron: u32) -> Self {
+    /// The part of a frame, with an apron where its light is not given. The apron ends at the edges of
+    /// the picture, unless its columns go around.
+    fn of(frame: &Frame, projection: Projection, apron: u32) -> Self {
         Self(frame.part().map(|wanted| {
-            let origin = wanted.origin.saturating_sub(UVec2::splat(apron));
+            let mut origin = wanted.origin.saturating_sub(UVec2::splat(apron));
+            let mut inset = wanted.origin - origin;
             let end = (wanted.origin + wanted.size + apron).min(frame.whole);
-            let drawn = Part {
-                origin,
-                size: end - origin,
-            };
-            Parts { wanted, drawn }
+            let mut size = end - origin;
+            if projection.goes_around() {
+                let columns = frame.whole.x.max(1);
+                origin.x = (wanted.origin.x + columns - apron % columns) % columns;
+                (inset.x, size.x) = (apron, wanted.size.x + 2 * apron);
+            }
+            Parts {
+                wanted,
+                drawn: Part { origin, size },
+                inset,
+            }
         }))
     }
 
@@ -61,14 +71,22 @@ impl DrawnPart {
         self.0.map(|parts| parts.wanted)
     }
 
+    /// The place in the whole picture of the first pixel that is drawn: left of the first column where
+    /// the columns go around.
+    pub(super) fn first_pixel(&self) -> IVec2 {
+        self.0.map_or(IVec2::ZERO, |parts| {
+            parts.wanted.origin.as_ivec2() - parts.inset.as_ivec2()
+        })
+    }
+
     /// Where the part that was asked for lies in the target, which has this size in pixels.
     pub(super) fn in_target(&self, size: UVec2) -> Part {
         let whole = Part {
             origin: UVec2::ZERO,
             size,
         };
-        self.0.map_or(whole, |Parts { wanted, drawn }| Part {
-            origin: wanted.origin - drawn.origin,
+        self.0.map_or(whole, |Parts { wanted, inset, .. }| Part {
+            origin: inset,
             size: wanted.size,
         })
     }
@@ -105,6 +123,7 @@ pub fn draw_scene_in_frame(
     if scene.is_changed() || frame.is_changed() || given.is_changed() {
         drawn.set_if_neq(DrawnScene(scene.shown_in(&frame)));
         let apron = if given.is_some() { 0 } else { APRON };
-        part.set_if_neq(DrawnPart::of(&frame, apron));
+        let projection = scene.camera.projection;
+        part.set_if_neq(DrawnPart::of(&frame, projection, apron));
     }
 }

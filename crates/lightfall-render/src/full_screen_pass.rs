@@ -1,6 +1,6 @@
 //! Passes that draw one full-screen triangle, without depth.
 
-use crate::graphics::{Graphics, run_render_pass};
+use crate::graphics::{Graphics, create_smooth_sampler, run_render_pass};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
@@ -50,12 +50,13 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
         let binding = entries.len() as u32;
         let kind = sampler(SamplerBindingType::Filtering);
         entries.push(kind.build(binding, ShaderStages::FRAGMENT));
-        self.sampler = Some(device.create_sampler(&SamplerDescriptor {
-            mag_filter: FilterMode::Linear,
-            min_filter: FilterMode::Linear,
-            ..default()
-        }));
+        self.sampler = Some(create_smooth_sampler(device, false));
         self
+    }
+
+    /// Reads its textures with another sampler from now on.
+    pub(super) fn set_sampler(&mut self, sampler: &Sampler) {
+        self.sampler = Some(sampler.clone());
     }
 
     /// Writes the uniform.

@@ -61,6 +61,22 @@ pub(super) fn create_target(
     texture.create_view(&default())
 }
 
+/// A sampler that interpolates linearly between texels. Where columns go around, the first one follows
+/// the last.
+pub(super) fn create_smooth_sampler(device: &RenderDevice, goes_around: bool) -> Sampler {
+    device.create_sampler(&SamplerDescriptor {
+        label: Some("smooth sampler"),
+        address_mode_u: if goes_around {
+            AddressMode::Repeat
+        } else {
+            AddressMode::ClampToEdge
+        },
+        mag_filter: FilterMode::Linear,
+        min_filter: FilterMode::Linear,
+        ..default()
+    })
+}
+
 /// A buffer of this size in bytes.
 pub(super) fn create_buffer(
     device: &RenderDevice,

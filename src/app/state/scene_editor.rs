@@ -68,13 +68,15 @@ impl SceneEditor<'_> {
     /// The scene that a picture file of what the window shows holds.
     pub(crate) fn scene_in_window(&self) -> Scene {
         let mut scene = self.scene();
-        scene.picture = self.resolution.in_window(&scene.picture);
+        let bypass = scene.picture.bypass;
+        scene.picture = self.resolution.in_window(&scene.shown_picture());
+        scene.picture.bypass = bypass;
         scene
     }
 
     /// The picture as it is drawn while nothing moves.
     pub(crate) fn picture_at_rest(&self) -> Picture {
-        self.resolution.at_rest(&self.scene().picture)
+        self.resolution.at_rest(&self.scene().shown_picture())
     }
 
     /// As [`picture_at_rest`](Self::picture_at_rest), in a window without panels.

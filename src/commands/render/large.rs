@@ -1,9 +1,12 @@
-//! Pictures that are drawn in tiles: those too large to be drawn at once, and PNGs with 16 bits.
+//! Pictures that are drawn in tiles: those too large to be drawn at once, PNGs with 16 bits, and the sides
+//! of cubes.
 
+use super::cube::drawn_at_once;
 use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use glam::UVec2;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Projection, Scene};
 use lightfall_picture::{Format, HeadlessOptions, MAX_UNTILED_PIXELS, PngBits, Tiles, png_sweeps};
 use lightfall_platform::log::say;
 
@@ -29,22 +32,28 @@ pub(super) fn tiling(
         )));
     }
     let bits = bits.unwrap_or_default();
-    let size = scene.picture.size();
-    let is_long = size.max_element() > MAX_PICTURE_SIDE;
+    let is_cube = scene.camera.projection == Projection::Cube;
+    // Of a cube, each side has tiles of its own.
+    let size = drawn_at_once(scene).picture.size();
+    let is_long = |size: UVec2| size.max_element() > MAX_PICTURE_SIDE;
     if format == Format::Apng {
-        return if is_long {
+        return if is_long(scene.picture.size()) {
             Err(Stop::refused(format!(
                 "--size: the pictures of an .apng have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
                  pictures may be larger"
             )))
         } else {
-            Ok(None)
+            Ok(is_cube.then_some(Tiling {
+                tiles: Tiles::one(size),
+                bits,
+            }))
         };
     }
-    let has_cells = !scene.picture.bypass && format == Format::Png;
+    let is_long = is_long(size);
+    let has_cells = scene.has_cells() && format == Format::Png;
     let pixels = u64::from(size.x) * u64::from(size.y);
     let is_large = is_long || pixels > MAX_UNTILED_PIXELS && !has_cells;
-    if !is_large && bits == PngBits::Eight {
+    if !is_large && !is_cube && bits == PngBits::Eight {
         return Ok(None);
     }
     if args.timings.is_some() && is_large {
