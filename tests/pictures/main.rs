@@ -20,6 +20,7 @@ mod linear_matter;
 )]
 mod moved_camera;
 mod night;
+mod projection_tiles;
 mod projections;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;

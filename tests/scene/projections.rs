@@ -48,6 +48,10 @@ fn wrong_sizes_files_and_options_are_refused_in_one_sentence() {
             "--cells on: only perspective pictures are shown in cells, and camera.projection is \"fisheye\"",
         ),
         (
+            format!("{cube} --size 96x64 --timings -o a.png"),
+            "--timings: the six sides of a cube are drawn one after another, which is not timed",
+        ),
+        (
             "-o a.{face}.png".into(),
             "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
         ),
@@ -120,6 +124,10 @@ fn a_dome_a_whole_sky_and_a_cube_are_drawn() {
     let cube = "--set camera.projection=cube --size 48x32";
     draw(&format!("{cube} -o cube.png"), &[("cube.png", [48, 32])]);
     draw(&format!("{cube} -o cube.exr"), &[("cube.exr", [16, 96])]);
+    draw(
+        &format!("{cube} --bits 16 -o deep.png"),
+        &[("deep.png", [48, 32])],
+    );
     let faces = ["right", "left", "up", "down", "front", "back"];
     let faces = faces.map(|face| format!("{face}.png"));
     let files: Vec<_> = faces.iter().map(|face| (&**face, [16, 16])).collect();
