@@ -127,3 +127,56 @@ pub fn draw_scene_in_frame(
         part.set_if_neq(DrawnPart::of(&frame, projection, apron));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lightfall_core::scene::Scene;
+
+    /// The margin of a part ends at the edges of the picture. Where columns go around it does not, also
+    /// for a part as wide as the picture.
+    #[test]
+    fn a_part_has_a_margin_on_the_other_side_of_the_whole_sky() {
+        let frame = Frame::of(&Scene::default()).with_whole(UVec2::new(16, 8));
+        let part = |[x, y, width, height]: [u32; 4]| Part {
+            origin: UVec2::new(x, y),
+            size: UVec2::new(width, height),
+        };
+        for (wanted, projection, drawn, first_pixel, inset) in [
+            (
+                [0, 2, 8, 4],
+                Projection::Perspective,
+                [0, 0, 10, 8],
+                [0, 0],
+                [0, 2],
+            ),
+            (
+                [0, 2, 8, 4],
+                Projection::Equirectangular,
+                [14, 0, 12, 8],
+                [-2, 0],
+                [2, 2],
+            ),
+            (
+                [8, 0, 8, 4],
+                Projection::Equirectangular,
+                [6, 0, 12, 6],
+                [6, 0],
+                [2, 0],
+            ),
+            (
+                [0, 4, 16, 4],
+                Projection::Equirectangular,
+                [14, 2, 20, 6],
+                [-2, 2],
+                [2, 2],
+            ),
+        ] {
+            let frame = frame.with_part(Some(part(wanted)));
+            let seen = DrawnPart::of(&frame, projection, APRON);
+            assert_eq!(seen.drawn(), Some(part(drawn)), "{wanted:?}");
+            assert_eq!(seen.first_pixel(), IVec2::from(first_pixel), "{wanted:?}");
+            assert_eq!(seen.in_target(UVec2::ZERO).origin, UVec2::from(inset));
+        }
+    }
+}

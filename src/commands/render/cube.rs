@@ -87,19 +87,20 @@ impl PictureWriter {
         let (mut levels, mut lights, mut channels) = (Vec::new(), Vec::new(), Vec::new());
         for face in &layout.sides {
             let own = metered.cube_side(face, side);
+            let mut on_tile = on_tile(&mut self.progress, file);
             let mut large = LargePicture {
                 scene: &own,
                 tiles: tiling.tiles,
-                on_tile: &mut on_tile(&mut self.progress, file),
+                on_tile: &mut on_tile,
             };
-            if self.format == Format::Exr {
-                let with_depth = self.channels.with_depth();
-                let (light, depth) = large.light(&mut self.studio, with_depth)?;
-                lights.push(light);
-                channels.push(self.samples(&own, &depth)?);
-            } else {
+            if self.format != Format::Exr {
                 levels.push(large.levels(&mut self.studio)?);
+                continue;
             }
+            let (light, depth) = large.light(&mut self.studio, self.channels.with_depth())?;
+            drop(on_tile);
+            lights.push(light);
+            channels.push(self.samples(&own, &depth)?);
         }
         if self.format == Format::Exr {
             let light = picture::joined_light(layout, &lights);

@@ -52,7 +52,7 @@ impl Placement {
 
     /// Whether the line between neighbouring points of a curve is short: where a picture shows the
     /// whole sky, points on both sides of its seam are as far apart as they can be.
-    fn is_short(&self, here: Pos2, next: Pos2) -> bool {
+    pub(in crate::app::ui) fn is_short(&self, here: Pos2, next: Pos2) -> bool {
         self.camera.field_deg().is_some() || (here.x - next.x).abs() < 0.5 * self.picture.width()
     }
 
