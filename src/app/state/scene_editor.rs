@@ -83,7 +83,7 @@ impl SceneEditor<'_> {
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn picture_without_panels(&self) -> Picture {
         self.resolution
-            .at_rest_without_panels(&self.scene().picture)
+            .at_rest_without_panels(&self.scene().shown_picture())
     }
 
     /// Whether the scene has changed since the last run of the system.
@@ -91,9 +91,14 @@ impl SceneEditor<'_> {
         self.scene.is_changed()
     }
 
+    /// Whether the pixel look is chosen. Only perspective pictures have it.
+    pub(crate) fn has_pixel_look(&self) -> bool {
+        !self.scene.picture.bypass
+    }
+
     /// Whether the picture is shown in cells.
     pub(crate) fn shows_cells(&self) -> bool {
-        !self.scene.picture.bypass
+        self.scene.has_cells()
     }
 
     /// The scene as it was loaded.
