@@ -339,7 +339,7 @@ pub(super) const RULES: &[Rule] = &[
 
     rule(&[&["picture.width", "picture.height"]], &[Window], always,
         "the window's size decides", ""),
-    rule(&[&["camera.tilt_deg", "camera.shift"]], &[Rays], always,
+    rule(&[&["camera.projection", "camera.tilt_deg", "camera.shift"]], &[Rays], always,
         "rays are given by their directions, and no picture is made", ""),
     rule(&[&["camera.fov_deg"]], &[Still, Sequence, Linear], is_not_perspective,
         "only a perspective picture has this field of view", "camera.projection=perspective"),
