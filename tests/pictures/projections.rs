@@ -107,8 +107,10 @@ fn share_alike(
 
 /// The pixels of the finer pictures are a fifth as wide as those of the perspective one, which is the
 /// mean of 16 frames: a single ray for each of its wide pixels would differ from a mean by more than 2
-/// levels in one of 60. The disk's light is below white nearly everywhere: where a thin line is many
-/// times brighter, no two ways to average agree so well.
+/// levels in one of 60. The disk's light is below white nearly everywhere. In preset 9 the photon ring is
+/// a thin line, 27 times as bright as white, and a resampling spreads light by half of a pixel of the
+/// finer picture to its dark neighbours: a dome of 1024 pixels agrees in 96.4 % of the places, one of
+/// 3072 in 97.8 %, and the perspective picture with one that is ten times finer in 98.1 %.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn cut_outs_of_a_dome_of_the_whole_sky_and_of_a_cube_are_the_perspective_picture() {
