@@ -148,50 +148,6 @@ fn tiles_have_the_light_and_levels_of_the_whole_picture() {
     check(SIZE, &TILES);
 }
 
-/// The probe is drawn by Bevy, with a projection of each tile. The rounding of its corners moves an edge by
-/// less than 1/256 of a pixel, the grid of rasterizers, so a depth on a steep face moves by less than a
-/// thousandth of r_s, and a few pixels on edges may show what is behind them. A tile that lay one pixel
-/// beside its place would change the whole outline.
-#[test]
-#[ignore = "needs a graphics adapter"]
-fn tiles_have_the_depth_of_the_probe_of_the_whole_picture() {
-    let mut scene = scene(6, SIZE);
-    scene.probe.antialias = false;
-    let scene = exposed(&scene).unwrap();
-    let options = HeadlessOptions {
-        light: true,
-        ..HeadlessOptions::default()
-    };
-    let mut studio = Studio::with_options(&scene, SIZE, options).unwrap();
-    let whole = studio.depth().unwrap();
-    drop(studio);
-    let covered = whole.iter().filter(|depth| depth.is_finite()).count();
-    assert!(covered > 1000, "the probe covers {covered} pixels");
-    for tile in TILES {
-        let tiles = Tiles::with_size(SIZE, tile);
-        let options = HeadlessOptions {
-            part: tiles.strips().next().unwrap().next(),
-            ..options
-        };
-        let mut studio = Studio::with_options(&scene, UVec2::ONE, options).unwrap();
-        let mut differ = 0;
-        for part in tiles.strips().flatten() {
-            studio.show_part(&scene, part).unwrap();
-            let depth = studio.depth().unwrap();
-            let columns = part.size.x as usize;
-            for (y, row) in (part.origin.y..).zip(depth.chunks_exact(columns)) {
-                let first = (y * SIZE.x + part.origin.x) as usize;
-                let pairs = row.iter().zip(&whole[first..first + columns]);
-                differ += pairs.filter(|(a, b)| (**a - **b).abs() > 1e-3).count();
-            }
-        }
-        assert!(
-            differ * 100 < covered,
-            "{tile}: {differ} of {covered} pixels"
-        );
-    }
-}
-
 /// At this size a texel of the base of the bloom is a square of two by two pixels. It takes minutes with a
 /// software renderer.
 #[test]
