@@ -137,7 +137,7 @@ impl Knots {
 }
 
 impl Travel {
-    /// The way along the streamline at [`TRAVEL_PLACE`].
+    /// The way along a streamline in the sheath.
     pub fn of(jet: &Jet) -> Self {
         let shape = jet.shape;
         let start = shape.base.ln();
