@@ -60,8 +60,10 @@ fn start_of_address(usual: Journey) -> Result<Start, String> {
         .map_err(|error| error.to_string())?;
     match opened {
         Opened::Journey(journey) => {
-            let stage = journey.preset.unwrap_or(&PRESETS[DEFAULT - 1]);
-            let scene = stage.scene(&overrides).map_err(|error| error.to_string())?;
+            let scene = journey
+                .stage()
+                .scene(&overrides)
+                .map_err(|error| error.to_string())?;
             let journey = storage::flyable_journey(preset.as_ref(), *journey, &scene)
                 .map_err(|error| error.to_string())?;
             let scene = Drawable::new(scene).map_err(|error| error.to_string())?;

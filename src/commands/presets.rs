@@ -12,7 +12,7 @@ use lightfall_core::optics::ship::{Attempt, Outcome, fly};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::mission::Mission;
-use lightfall_core::scene::presets::{self, PRESETS};
+use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
 use lightfall_platform::storage::{Opened, SourceError};
@@ -85,9 +85,7 @@ fn check(given: &OsStr) -> Result<String, Stop> {
 /// A place that it does not lead to.
 fn check_journey(given: &OsStr, journey: Journey) -> Result<String, Stop> {
     let path = Path::new(given);
-    // The scene in which the window flies it, unless another one is shown there.
-    let stage = journey.preset.unwrap_or(&PRESETS[presets::DEFAULT - 1]);
-    let scene = stage.plain_scene();
+    let scene = journey.stage().plain_scene();
     let journey = storage::flyable_journey(path, journey, scene)?;
     let name = given.display();
     note_idle_journey(path, &journey, scene);

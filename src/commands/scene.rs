@@ -80,11 +80,10 @@ pub(super) const NO_JOURNEY: &str = "none";
 /// # Errors
 /// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
 pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
-    let journey = storage::read_journey(file, scene)?;
-    if let Some(file) = file {
-        note_idle_journey(file, &journey, scene);
+    match file {
+        Some(file) => journey_in(file, storage::journey_by_name(file)?, scene),
+        None => Ok(storage::read_journey(None, scene)?),
     }
-    Ok(journey)
 }
 
 /// A journey that was read, for `scene`. `file` is its file or its name.

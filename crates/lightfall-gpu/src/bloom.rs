@@ -8,9 +8,6 @@ use glam::{UVec2, Vec2};
 /// proportion above, so that a texel of the base sees the same light at every size.
 const MAX_BASE_ROWS: u32 = 1080;
 
-/// Most columns of the base: the widest texture that WebGPU lets every device create.
-const MAX_BASE_COLUMNS: u32 = 8192;
-
 /// Lower levels get more than the scene's share: up to `LOW_LEVELS_BOOST` of the rest, at the smallest
 /// level. Bevy's curve with a curvature of 0.95: the power 1 / (1 - 0.95).
 const LOW_LEVELS_BOOST: f64 = 0.7;
@@ -49,25 +46,30 @@ impl Bloom {
         }
     }
 
-    /// The shader: entry points `over_all`, `bloom_base`, `bloom_first`, `bloom_shrink` and `bloom_spread`.
+    /// The entry points of its shader: the vertices, and the steps.
+    pub const ENTRIES: [&'static str; 5] = [
+        "over_all",
+        "bloom_base",
+        "bloom_first",
+        "bloom_shrink",
+        "bloom_spread",
+    ];
+
+    /// The shader, with [`ENTRIES`](Self::ENTRIES).
     pub fn shader() -> ShaderText {
-        let entries = [
-            "over_all",
-            "bloom_base",
-            "bloom_first",
-            "bloom_shrink",
-            "bloom_spread",
-        ];
-        ShaderText::new(String::new(), &entries, Vec::new())
+        ShaderText::new(String::new(), &Self::ENTRIES, Vec::new())
     }
 }
 
 impl BloomLevels {
+    /// Most columns of the base and of a level: the widest texture that WebGPU lets every device create.
+    pub const MAX_COLUMNS: u32 = 8192;
+
     /// Side of the squares of pixels that are one texel of the base.
     pub fn square(self) -> u32 {
         let UVec2 { x, y } = self.picture;
         y.div_ceil(MAX_BASE_ROWS)
-            .max(x.div_ceil(MAX_BASE_COLUMNS))
+            .max(x.div_ceil(Self::MAX_COLUMNS))
             .max(1)
     }
 

@@ -47,7 +47,7 @@ impl Animation {
         (count, fps): (u32, f64),
         record: &PictureRecord,
     ) -> Result<Self, PictureError> {
-        let fault = |error: png::EncodingError| encoding_fault(path, &error);
+        let fault = |error: png::EncodingError| PictureError::encode(path, &error);
         let bytes = Bytes::default();
         let mut encoder = png::Encoder::new(bytes.clone(), size.x, size.y);
         set_up_png(&mut encoder, png::BitDepth::Eight, record).map_err(fault)?;
@@ -71,7 +71,7 @@ impl Animation {
     pub fn add(&mut self, frame: &Still) -> Result<(), PictureError> {
         self.writer
             .write_image_data(&frame.rgb)
-            .map_err(|error| encoding_fault(&self.path, &error))
+            .map_err(|error| PictureError::encode(&self.path, &error))
     }
 
     /// Writes the file, which appears under its name only when it is complete.
@@ -81,13 +81,9 @@ impl Animation {
     pub fn finish(self) -> Result<(), PictureError> {
         self.writer
             .finish()
-            .map_err(|error| encoding_fault(&self.path, &error))?;
+            .map_err(|error| PictureError::encode(&self.path, &error))?;
         let Bytes(all) = self.bytes;
         let bytes = mem::take(&mut *all.lock().unwrap_or_else(PoisonError::into_inner));
         Ok(write_atomically(&self.path, &bytes)?)
     }
-}
-
-fn encoding_fault(path: &Path, error: &png::EncodingError) -> PictureError {
-    PictureError::encode(path, error)
 }

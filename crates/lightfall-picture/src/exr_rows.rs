@@ -13,7 +13,7 @@ use exr::meta::header::Header;
 use exr::prelude::Vec2;
 use glam::UVec2;
 use lightfall_platform::storage::{NewFile, WriteError};
-use lightfall_render::Captured;
+use lightfall_render::{Captured, LIGHT_BYTES};
 use rayon::prelude::*;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -143,5 +143,5 @@ fn sort_header(file: &mut NewFile, path: &Path) -> Result<(), PictureError> {
 /// channel.
 #[must_use]
 pub fn exr_pixel_bytes(channels: &Channels) -> u64 {
-    8 + 4 * channels.list().len() as u64
+    LIGHT_BYTES as u64 + 4 * channels.list().len() as u64
 }

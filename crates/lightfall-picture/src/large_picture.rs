@@ -8,13 +8,10 @@ use super::{Linear, PixelRays, Studio, Tiles};
 use glam::UVec2;
 use lightfall_core::scene::{Part, Scene};
 use lightfall_platform::storage::{PictureRecord, WriteError, scratch_file};
-use lightfall_render::{Captured, Chain};
+use lightfall_render::{Captured, Chain, LIGHT_BYTES};
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-
-/// Bytes of a pixel's light in the temporary file: four half floats.
-pub const LIGHT_BYTES: u64 = 8;
 
 /// A picture that is drawn tile by tile.
 pub struct LargePicture<'a> {
@@ -204,12 +201,12 @@ struct Light {
 impl Light {
     /// The light of a part.
     fn read(&mut self, part: Part) -> Result<Vec<u8>, PictureError> {
-        let row_bytes = (u64::from(part.size.x) * LIGHT_BYTES) as usize;
+        let row_bytes = part.size.x as usize * LIGHT_BYTES;
         let mut bytes = vec![0; row_bytes * part.size.y as usize];
         for (y, row) in (part.origin.y..).zip(bytes.chunks_exact_mut(row_bytes)) {
             let pixel = u64::from(y) * u64::from(self.columns) + u64::from(part.origin.x);
             self.file
-                .seek(SeekFrom::Start(pixel * LIGHT_BYTES))
+                .seek(SeekFrom::Start(pixel * LIGHT_BYTES as u64))
                 .and_then(|_| self.file.read_exact(row))
                 .map_err(|error| WriteError::new(&self.path, error))?;
         }

@@ -9,7 +9,7 @@ use crate::chain::Chain;
 use crate::comparison::ComparedScene;
 use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::given_light::GivenLight;
-use crate::graphics::{Graphics, create_target};
+use crate::graphics::{Graphics, create_target, linear_sampler};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -129,12 +129,7 @@ fn create_bloom_pass(mut commands: Commands, device: Res<RenderDevice>) {
     ];
     commands.insert_resource(BloomPass {
         layout: BindGroupLayoutDescriptor::new("bloom layout", &entries),
-        sampler: device.create_sampler(&SamplerDescriptor {
-            label: Some("bloom sampler"),
-            mag_filter: FilterMode::Linear,
-            min_filter: FilterMode::Linear,
-            ..default()
-        }),
+        sampler: linear_sampler(&device),
         uniform: UniformBuffer::from(Bloom::default()),
         pipelines: None,
         textures: None,

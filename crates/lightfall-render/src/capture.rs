@@ -18,6 +18,9 @@ use lightfall_core::gpu::read_back;
 use lightfall_core::scene::Part;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+/// Bytes of a pixel's light: four half floats.
+pub const LIGHT_BYTES: usize = 8;
+
 /// Makes the chain copy what it draws, and holds the last copy. It must be inserted before the
 /// first frame.
 #[derive(Resource, Clone, Default, ExtractResource)]
@@ -73,8 +76,8 @@ impl Capture {
         let copies = self.copies();
         let copies = copies.as_ref().ok_or("nothing has been drawn yet")?;
         let Part { origin, size } = copies.part;
-        let rgba = read_rows(device, &copies.light, size, 8)?
-            .chunks_exact(8)
+        let rgba = read_rows(device, &copies.light, size, LIGHT_BYTES)?
+            .chunks_exact(LIGHT_BYTES)
             .map(|pixel| [0, 2, 4, 6].map(|at| u16::from_le_bytes([pixel[at], pixel[at + 1]])))
             .collect();
         let depth = copies.depth.as_ref();
@@ -177,7 +180,7 @@ fn copy_light_and_depth(
         *copies = Some(Copies {
             target: size,
             part,
-            light: buffer("captured light", part.size, 8),
+            light: buffer("captured light", part.size, LIGHT_BYTES),
             depth,
         });
     }
@@ -189,18 +192,14 @@ fn copy_light_and_depth(
     else {
         return;
     };
-    let whole = Part {
-        origin: UVec2::ZERO,
-        size,
-    };
     let encoder = context.command_encoder();
     let source = target.main_texture().as_image_copy();
-    copy_part(encoder, source, part, (light, 8));
+    copy_part(encoder, source, part, (light, LIGHT_BYTES));
     if let Some(depths) = depths {
         let source = TexelCopyTextureInfo {
             aspect: TextureAspect::DepthOnly,
             ..depth.texture.as_image_copy()
         };
-        copy_part(encoder, source, whole, (depths, 4));
+        copy_part(encoder, source, Part::whole(size), (depths, 4));
     }
 }

@@ -10,9 +10,6 @@ use lightfall_core::scene::{Part, Scene, SkyMode};
 /// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
 const BLOOM_ROWS: u32 = 256;
 
-/// Largest width of a bloom texture, in pixels.
-const MAX_BLOOM_WIDTH: u32 = 8192;
-
 /// Smallest number of bloom rows with a visible effect.
 const MIN_BLOOM_ROWS: u32 = 8;
 
@@ -68,8 +65,8 @@ impl Chain {
         let picture = scene.picture.size();
         // A wide picture has fewer rows, so that the bloom texture does not exceed its largest
         // width.
-        let rows_of_max_width =
-            u64::from(MAX_BLOOM_WIDTH) * u64::from(picture.y) / u64::from(picture.x.max(1));
+        let rows_of_max_width = u64::from(BloomLevels::MAX_COLUMNS) * u64::from(picture.y)
+            / u64::from(picture.x.max(1));
         // A small picture has fewer rows, too: bloom is never finer than half the picture's rows.
         let rows = u64::from(BLOOM_ROWS)
             .min(rows_of_max_width)

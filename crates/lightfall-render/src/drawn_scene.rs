@@ -63,14 +63,11 @@ impl DrawnPart {
 
     /// Where the part that was asked for lies in the target, which has this size in pixels.
     pub(super) fn in_target(&self, size: UVec2) -> Part {
-        let whole = Part {
-            origin: UVec2::ZERO,
-            size,
-        };
-        self.0.map_or(whole, |Parts { wanted, drawn }| Part {
-            origin: wanted.origin - drawn.origin,
-            size: wanted.size,
-        })
+        self.0
+            .map_or(Part::whole(size), |Parts { wanted, drawn }| Part {
+                origin: wanted.origin - drawn.origin,
+                size: wanted.size,
+            })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Passes that draw one full-screen triangle, without depth.
 
-use crate::graphics::{Graphics, run_render_pass};
+use crate::graphics::{Graphics, linear_sampler, run_render_pass};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
@@ -50,11 +50,7 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
         let binding = entries.len() as u32;
         let kind = sampler(SamplerBindingType::Filtering);
         entries.push(kind.build(binding, ShaderStages::FRAGMENT));
-        self.sampler = Some(device.create_sampler(&SamplerDescriptor {
-            mag_filter: FilterMode::Linear,
-            min_filter: FilterMode::Linear,
-            ..default()
-        }));
+        self.sampler = Some(linear_sampler(device));
         self
     }
 

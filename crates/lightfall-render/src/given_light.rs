@@ -2,6 +2,7 @@
 //! developed part by part when the bloom of the whole is known.
 
 use crate::camera_markers::SceneCamera;
+use crate::capture::LIGHT_BYTES;
 use crate::drawn_scene::DrawnPart;
 use crate::graphics::picture_size;
 use crate::progress::DrawnFrame;
@@ -15,9 +16,6 @@ use bevy::render::render_resource::TexelCopyBufferLayout;
 use bevy::render::renderer::{RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
 use std::sync::Arc;
-
-/// Bytes of a pixel's light: four half floats.
-const PIXEL_BYTES: u32 = 8;
 
 /// The light of the part of the picture that comes next: half floats as in
 /// [`Captured`](crate::Captured), as bytes in little-endian order, in rows from the top. While there is
@@ -62,7 +60,7 @@ fn upload_light(
     let Some(bytes) = &given.0 else {
         return;
     };
-    if wanted != size || bytes.len() as u64 != u64::from(size.x * PIXEL_BYTES) * u64::from(size.y) {
+    if wanted != size || bytes.len() != LIGHT_BYTES * size.as_usizevec2().element_product() {
         return;
     }
     queue.write_texture(
@@ -70,7 +68,7 @@ fn upload_light(
         bytes,
         TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(size.x * PIXEL_BYTES),
+            bytes_per_row: Some(size.x * LIGHT_BYTES as u32),
             rows_per_image: None,
         },
         size.to_extents(),

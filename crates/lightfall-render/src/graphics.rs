@@ -76,6 +76,16 @@ pub(super) fn create_buffer(
     })
 }
 
+/// A sampler that interpolates linearly between texels.
+pub(super) fn linear_sampler(device: &RenderDevice) -> Sampler {
+    device.create_sampler(&SamplerDescriptor {
+        label: Some("linear sampler"),
+        mag_filter: FilterMode::Linear,
+        min_filter: FilterMode::Linear,
+        ..default()
+    })
+}
+
 /// The size of the picture that a camera draws to, in pixels.
 pub(super) fn picture_size(target: &ViewTarget) -> UVec2 {
     let texture = target.main_texture();

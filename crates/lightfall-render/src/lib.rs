@@ -53,7 +53,7 @@ mod shader_reload;
 mod stars;
 
 pub use camera_markers::{SceneCamera, ScreenCamera};
-pub use capture::{Capture, Captured};
+pub use capture::{Capture, Captured, LIGHT_BYTES};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
 pub use comparison::{
     ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned, TwoScenes,

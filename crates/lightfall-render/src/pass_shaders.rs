@@ -72,17 +72,7 @@ pub fn pass_shaders(scene: &Scene) -> Vec<PassShader> {
             &["vertex", "accumulate"],
             Accumulation::shader(),
         ),
-        PassShader::new(
-            "bloom",
-            &[
-                "over_all",
-                "bloom_base",
-                "bloom_first",
-                "bloom_shrink",
-                "bloom_spread",
-            ],
-            Bloom::shader(),
-        ),
+        PassShader::new("bloom", &Bloom::ENTRIES, Bloom::shader()),
         PassShader::new(
             "develop",
             &["vertex", "develop"],

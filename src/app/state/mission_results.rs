@@ -188,7 +188,7 @@ impl MissionResults {
 
     /// Keeps the end of an attempt. `before` is an end of the same attempt from which the player went back.
     /// One at which the goals were reached stays unless this one is better. A miss gives way to this one,
-    /// also to another miss: of two misses the later one stays. Returns the one that is kept, and why the file is not written.
+    /// even if this one is a miss as well. Returns the one that is kept, and why the file is not written.
     pub fn keep(
         &mut self,
         before: Option<MissionResult>,

@@ -178,9 +178,10 @@ fn show_help(
                                     table(ui, AT_HELM, ship_rows(&bindings, on_mission));
                                 }
                                 groups.iter().for_each(|group| {
-                                    let rows = match helm.has_ship() {
-                                        true => help_rows_at_helm(&bindings, *group, on_mission),
-                                        false => help_rows(&bindings, *group),
+                                    let rows = if helm.has_ship() {
+                                        help_rows_at_helm(&bindings, *group, on_mission)
+                                    } else {
+                                        help_rows(&bindings, *group)
                                     };
                                     table(ui, group.title(), rows);
                                 });

@@ -83,7 +83,11 @@ pub(super) fn check_space(
     };
     let number = pictures.numbers().len() as u64;
     let keeps_light = tiling.sweeps(pictures).any(|sweeps| sweeps > 1);
-    let light = if keeps_light { picture::LIGHT_BYTES } else { 0 };
+    let light = if keeps_light {
+        picture::LIGHT_BYTES as u64
+    } else {
+        0
+    };
     let pixels = u64::from(size.x) * u64::from(size.y);
     let needed = pixels.saturating_mul(of_pixel.saturating_mul(number).saturating_add(light));
     let what = match number {

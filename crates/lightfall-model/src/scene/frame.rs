@@ -14,6 +14,17 @@ pub struct Part {
     pub size: UVec2,
 }
 
+impl Part {
+    /// All of a picture of this size.
+    #[must_use]
+    pub fn whole(size: UVec2) -> Self {
+        Self {
+            origin: UVec2::ZERO,
+            size,
+        }
+    }
+}
+
 /// What is drawn of a scene at one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {

@@ -38,7 +38,7 @@ pub use track::Track;
 use self::clock::Clock;
 use self::keyframe::Keyframe;
 use self::tracks::Tracks;
-use super::presets::Preset;
+use super::presets::{DEFAULT as DEFAULT_PRESET, PRESETS, Preset};
 use super::{Camera, ObserverKind, Question, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_degrees;
@@ -110,6 +110,12 @@ impl Journey {
             texts.extend(question.flat_map(Question::texts));
         }
         texts
+    }
+
+    /// The preset in which the journey is flown where no other scene is shown: the one that it names, or the
+    /// default one.
+    pub fn stage(&self) -> &'static Preset {
+        self.preset.unwrap_or(&PRESETS[DEFAULT_PRESET - 1])
     }
 
     /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time`

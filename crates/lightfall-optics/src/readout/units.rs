@@ -80,6 +80,15 @@ impl Units {
         words.join(" ")
     }
 
+    /// The same units for a hole of another mass.
+    #[must_use]
+    pub fn for_mass(self, mass: HoleMass) -> Self {
+        match self {
+            Self::Hole => Self::Hole,
+            Self::Everyday(_) => Self::Everyday(mass),
+        }
+    }
+
     /// Whether texts leave out what only specialists ask for.
     pub fn are_simple(self) -> bool {
         self != Self::Hole

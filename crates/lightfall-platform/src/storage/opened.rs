@@ -31,13 +31,7 @@ impl Opened {
         match self {
             Self::Scene(scene) => (*scene, None),
             Self::Mission(mission) => (mission.scene().clone(), Some(mission)),
-            Self::Journey(journey) => {
-                let default = PRESETS[presets::DEFAULT - 1];
-                (
-                    journey.preset.unwrap_or(&default).plain_scene().clone(),
-                    None,
-                )
-            }
+            Self::Journey(journey) => (journey.stage().plain_scene().clone(), None),
         }
     }
 

@@ -207,10 +207,7 @@ impl ShipFlight {
     /// The units of texts: with simple words, those of everyday life for the hole's mass, which is a
     /// mission's own.
     pub(crate) fn units(&self, settings: &Settings) -> Units {
-        match settings.units() {
-            Units::Everyday(_) => Units::Everyday(self.hole_mass(settings)),
-            Units::Hole => Units::Hole,
-        }
+        settings.units().for_mass(self.hole_mass(settings))
     }
 
     /// The hole's mass for texts: a mission's own, and otherwise that of the settings.

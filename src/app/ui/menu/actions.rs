@@ -15,7 +15,6 @@ use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::numbers::{counted, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::IN_BROWSER;
@@ -149,10 +148,8 @@ impl MenuActions<'_> {
                 "" => mission.brief.as_str(),
                 teaches => teaches,
             };
-            let units = match settings.units() {
-                Units::Everyday(_) => Units::Everyday(HoleMass::of_suns(mission.hole.mass_suns)),
-                Units::Hole => Units::Hole,
-            };
+            let mass = HoleMass::of_suns(mission.hole.mass_suns);
+            let units = settings.units().for_mass(mass);
             return bindings.with_keys(&units.in_text(text));
         }
         match (self.menu.list(), file) {

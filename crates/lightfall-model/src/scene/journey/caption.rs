@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::format::{CAPTION_SECONDS, MAX_CAPTION_CHARS, MAX_CAPTIONS};
-use super::load::noted;
+use super::load::{noted, without};
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::shortened;
 use toml::Table;
@@ -35,11 +35,7 @@ pub(super) fn read_captions(
         let before = captions.last().map(|last| last.at);
         captions.extend(noted(read(index + 1, table, before, span), &mut faults));
     }
-    if faults.is_empty() {
-        Ok(captions)
-    } else {
-        Err(faults)
-    }
+    without(faults, captions)
 }
 
 /// Reads the caption of this number, counted from 1, after one at the time `before`.

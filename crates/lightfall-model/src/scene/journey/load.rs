@@ -38,6 +38,15 @@ pub(super) fn all_noted<T>(read: Result<T, Vec<Fault>>, faults: &mut Vec<Fault>)
     read.map_err(|several| faults.extend(several)).ok()
 }
 
+/// What was read, unless there were faults.
+pub(super) fn without<T>(faults: Vec<Fault>, read: T) -> Result<T, Vec<Fault>> {
+    if faults.is_empty() {
+        Ok(read)
+    } else {
+        Err(faults)
+    }
+}
+
 /// The journey that a TOML table describes, or what is wrong with it.
 fn journey(table: Table) -> Result<Journey, Vec<Fault>> {
     let mut faults = Vec::new();
@@ -201,11 +210,7 @@ fn read_keyframes(frames: Vec<Table>) -> Result<Vec<Keyframe>, Vec<Fault>> {
         let before = keyframes.last().map(|last| last.time);
         keyframes.extend(noted(Keyframe::read(index + 1, frame, before), &mut faults));
     }
-    if faults.is_empty() {
-        Ok(keyframes)
-    } else {
-        Err(faults)
-    }
+    without(faults, keyframes)
 }
 
 /// Checks that the velocity stays below that of light between keyframes, too: each component stays

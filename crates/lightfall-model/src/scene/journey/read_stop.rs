@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::format::{MAX_STOP_CHARS, MAX_STOP_LINES, MAX_STOPS};
-use super::load::{all_noted, noted};
+use super::load::{all_noted, noted, without};
 use super::read_question::read_question;
 use super::stop::{InspectorView, SideBySide, Stop, is_switched};
 use crate::scene::fields::field;
@@ -31,11 +31,7 @@ pub(super) fn read_stops(tables: Vec<Table>, span: [f64; 2]) -> Result<Vec<Stop>
         let later = within.filter(|at| before.is_none_or(|before| *at > before));
         before = later.or(before);
     }
-    if faults.is_empty() {
-        Ok(stops)
-    } else {
-        Err(faults)
-    }
+    without(faults, stops)
 }
 
 /// Reads the stop of this number, counted from 1, after one at the time `before`.
@@ -155,11 +151,7 @@ fn read_fields(number: usize, table: Table) -> Result<Vec<(&'static str, Value)>
             value => fields.extend(noted(read_field(number, key, &value), &mut faults)),
         }
     }
-    if faults.is_empty() {
-        Ok(fields)
-    } else {
-        Err(faults)
-    }
+    without(faults, fields)
 }
 
 fn read_field(

@@ -1,7 +1,7 @@
 //! Shows the ship's instruments in the lower left corner: two clocks as dials, and values below them.
 
 use super::dial::draw_dial;
-use super::values::{Instrument, instruments};
+use super::values::{Instrument, TIME, instruments};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
@@ -53,7 +53,7 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let clocks = dials(&clocks, ship.dial(), units);
     let mut all = instruments(&ship, mass, units);
     if paused.0 {
-        for row in all.iter_mut().filter(|row| row.label == "time") {
+        for row in all.iter_mut().filter(|row| row.label == TIME) {
             row.value = "stands still".into();
         }
     }

@@ -48,10 +48,11 @@ pub(in crate::app::ui::hud) fn show_mission(
     }
     let captions = &attempt.mission.captions;
     let caption = play.caption().and_then(|index| captions.get(index));
-    let text = match ship.is_empty() && !attempt.is_over() {
+    let text = if ship.is_empty() && !attempt.is_over() {
         // What a caption asks for takes fuel.
-        true => Some(NO_FUEL),
-        false => caption.map(|caption| caption.text.as_str()),
+        Some(NO_FUEL)
+    } else {
+        caption.map(|caption| caption.text.as_str())
     };
     if let Some(text) = text.filter(|_| !end_card.is_open()) {
         let words = bindings.with_keys(&units.in_text(text));

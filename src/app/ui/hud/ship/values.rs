@@ -68,7 +68,7 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
             .hold()
             .map(|hold| Instrument::new("held", held(hold, units))),
     );
-    all.push(Instrument::new("time", time(flown, units)));
+    all.push(Instrument::new(TIME, time(flown, units)));
     all.push(to_hover(ship, mass, units));
     let tide = three_digits(tide_of(ship) * mass.gees() / mass.metres());
     all.push(Instrument::minor("tide", format!("{tide} g per metre")));
@@ -79,6 +79,9 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     note_needed(&mut all, flown.attempt());
     all
 }
+
+/// The label of the pace.
+pub(super) const TIME: &str = "time";
 
 /// Instruments that show a quantity of a mission, by their labels. The clocks are dials.
 fn shown_by(quantity: Quantity) -> Option<&'static str> {
@@ -124,7 +127,7 @@ const NAMED_BY: [(&str, &[&str]); 9] = [
 
 /// What a ship without a mission needs: the pace, where it is, its fuel, and its path.
 const NEEDED: [&str; 7] = [
-    "time",
+    TIME,
     "radius, speed",
     "rapidity left",
     "thrust",
@@ -144,7 +147,7 @@ fn note_needed(all: &mut [Instrument], attempt: Option<&Attempt>) {
     };
     let mission = &attempt.mission;
     let compared = named(mission).into_iter().filter_map(shown_by);
-    let mut labels: Vec<&str> = compared.chain(["radius, speed", "time"]).collect();
+    let mut labels: Vec<&str> = compared.chain(["radius, speed", TIME]).collect();
     let texts: Vec<String> = said_by(mission).map(str::to_lowercase).collect();
     let said = NAMED_BY
         .into_iter()
