@@ -1,6 +1,6 @@
 // From linear light to the levels of a screen or a file.
 //
-// Gives: noise, srgb_decode, srgb_encode, to_levels.
+// Gives: srgb_decode, srgb_encode, to_levels.
 
 // sRGB transfer function and its inverse (IEC 61966-2-1).
 fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
