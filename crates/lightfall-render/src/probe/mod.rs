@@ -8,6 +8,7 @@ use crate::camera_markers::SceneCamera;
 use crate::chain::Chain;
 use crate::comparison::{ComparedScene, follow_current_scene};
 use crate::drawn_scene::DrawnScene;
+use bevy::camera::visibility::NoFrustumCulling;
 use bevy::light::GlobalAmbientLight;
 use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
@@ -101,6 +102,9 @@ fn spawn_or_despawn_probe(
                     Mesh3d(meshes.add(mesh)),
                     MeshMaterial3d(material),
                     transform,
+                    // Bevy would cull with a frustum that has a tile's aspect ratio and the
+                    // whole picture's axis, in which the craft may be outside.
+                    NoFrustumCulling,
                 ));
             }
         });
