@@ -6,9 +6,10 @@
 // Gives: bloom_base, bloom_first, bloom_shrink, bloom_spread, over_all.
 
 struct Bloom {
-    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels.
+    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels. The
+    // corner is left of the picture where its columns go around.
     whole: vec2<u32>,
-    origin: vec2<u32>,
+    origin: vec2<i32>,
     // Share of the base's width and height that the picture fills: its last squares may reach beyond.
     filled: vec2<f32>,
     // Side of the squares of pixels that are one texel of the base.
@@ -45,7 +46,7 @@ fn bloom_base(place: Place) -> @location(0) vec4<f32> {
     var light = vec3<f32>(0.0);
     for (var y = first.y; y < end.y; y++) {
         for (var x = first.x; x < end.x; x++) {
-            light += textureLoad(source, vec2<u32>(x, y) - bloom.origin, 0).rgb;
+            light += textureLoad(source, vec2<i32>(vec2<u32>(x, y)) - bloom.origin, 0).rgb;
         }
     }
     let size = vec2<f32>(end - first);

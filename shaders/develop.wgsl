@@ -4,9 +4,10 @@
 // Gives: develop.
 
 struct Development {
-    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels.
+    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels. The
+    // corner is left of the picture where its columns go around.
     whole: vec2<u32>,
-    origin: vec2<u32>,
+    origin: vec2<i32>,
     // The factor of light.
     exposure: f32,
     // Share of the light that bloom spreads.
@@ -25,7 +26,7 @@ fn develop(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let seen = textureLoad(light, pixel, 0);
     var shown = seen.rgb;
     if HAS_BLOOM {
-        let place = vec2<f32>(pixel + development.origin) + 0.5;
+        let place = vec2<f32>(vec2<i32>(pixel) + development.origin) + 0.5;
         let wide = bloom_blurred(bloom, bloom_sampler, place / vec2<f32>(development.whole));
         shown = mix(shown, wide, development.bloom);
     }

@@ -3,8 +3,9 @@
 // Gives: print.
 
 struct Print {
-    // Upper left corner of the part of the picture that is drawn, in pixels of the whole picture.
-    origin: vec2<u32>,
+    // Upper left corner of the part of the picture that is drawn, in pixels of the whole picture: left
+    // of it where its columns go around.
+    origin: vec2<i32>,
     // The highest level.
     top: f32,
     // Whether the picture has bloom (1) or not (0).
@@ -20,6 +21,6 @@ fn print(@builtin(position) position: vec4<f32>) -> @location(0) vec4<u32> {
     let texel = textureLoad(developed, pixel, 0);
     // Alpha, zero in the shadow, removes the light that bloom has added there.
     let light = select(1.0, texel.a, printed.bloom != 0u) * texel.rgb;
-    let place = vec2<f32>(pixel + printed.origin) + 0.5;
+    let place = vec2<f32>(vec2<i32>(pixel) + printed.origin) + 0.5;
     return vec4<u32>(vec3<u32>(to_levels(srgb_encode(light), printed.top, place)), u32(printed.top));
 }

@@ -135,8 +135,11 @@ struct Picture {
     // Width of the area of a ray, in pixels or cells of a refined pixel's grid: less than one where
     // a picture is the mean of several frames.
     footprint: f32,
-    // Solid angle of a pixel in the middle of the picture, in steradians.
+    // Solid angle of a pixel at the line of sight, in steradians.
     middle_solid_angle: f32,
+    // The place of the line of sight, where the picture's middle is (0, 0) and its right and upper
+    // edges are at 1.
+    axis: vec2<f32>,
 }
 
 // Structs within a uniform must begin at multiples of 16 bytes. Those with vectors of three or four

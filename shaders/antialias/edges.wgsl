@@ -25,6 +25,9 @@ struct Search {
     // Whether the frame has to be drawn quickly (1) or not (0): each kind of edge then gets the rays of
     // the next softer kind, and the softest gets none.
     quick: u32,
+    // Whether the columns go around the whole sky (1) or not (0): the first one is then the neighbour
+    // of the last.
+    around: u32,
 }
 
 @group(0) @binding(BINDING_TRAITS) var traits: Traits;
@@ -60,11 +63,15 @@ fn traits_at(at: vec2<u32>) -> vec2<u32> {
     return seen;
 }
 
-// The scene's outermost pixels are repeated beyond its border.
+// Beyond the scene's border its outermost pixels are repeated, or its columns begin again.
 fn row_at(at: vec2<u32>) -> Row {
-    let left = traits_at(vec2<u32>(max(at.x, search.columns.x + 1u) - 1u, at.y));
+    let is_first = at.x <= search.columns.x;
+    let is_last = at.x + 1u >= search.columns.y;
+    let before = select(at.x, search.columns.y - 1u, search.around == 1u);
+    let after = select(at.x, search.columns.x, search.around == 1u);
+    let left = traits_at(vec2<u32>(select(max(at.x, 1u) - 1u, before, is_first), at.y));
     let middle = traits_at(at);
-    let right = traits_at(vec2<u32>(min(at.x + 1u, search.columns.y - 1u), at.y));
+    let right = traits_at(vec2<u32>(select(at.x + 1u, after, is_last), at.y));
     let seen = vec3<u32>(left.x, middle.x, right.x);
     let bits = (vec3<u32>(1u) << seen) & vec3<u32>(~(1u << NO_CLASS));
     let brightness = vec3<i32>(i32(left.y), i32(middle.y), i32(right.y));

@@ -19,11 +19,12 @@ fn shown_brightness(light: vec3<f32>) -> f32 {
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> Pixel {
     let pixel = vec2<u32>(position.xy - scene.picture.corner);
-    let seen = seen_along(photon_from(pixel_direction(place_of(pixel) + scene.picture.offset)));
+    let place = place_of(pixel);
+    let seen = seen_along(photon_from(pixel_direction(place + scene.picture.offset)));
     let light = bounded_light(seen.light.rgb);
     let whole = bounded_light(light + point_light(pixel));
     return Pixel(
-        vec4<f32>(whole, seen.light.a),
+        coverage(place) * vec4<f32>(whole, seen.light.a),
         vec2<u32>(ray_class(seen.outcome, seen.hit_count), u32(255.0 * shown_brightness(light) + 0.5)),
     );
 }

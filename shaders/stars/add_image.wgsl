@@ -14,10 +14,10 @@ struct ImageCount {
 @group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read_write> image_count: ImageCount;
 
-// Adds the image seen in `direction` (right, up, forward), unless it is outside the picture or too
-// faint.
+// Adds the image seen in `direction` (right, up, forward), unless it is outside of what is searched or
+// too faint.
 fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
-    if !is_in_view(direction, 2.0 * stars.stretch) {
+    if !is_own_image(direction) {
         return;
     }
     let photon = photon_from(direction);
@@ -32,7 +32,7 @@ fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
     let flux = luminous / max(dot(thermal_colour(temperature), LUMINANCE), 1e-6);
     let index = atomicAdd(&image_count.images, 1u);
     if index < min(stars.capacity, arrayLength(&star_images)) {
-        star_images[index] = StarImage(direction, flux, temperature * g, star, order);
+        star_images[index] = StarImage(in_picture(direction), flux, temperature * g, star, order);
         atomicMax(&image_count.groups_x, index / WORKGROUP_SIZE + 1u);
     }
 }

@@ -17,6 +17,11 @@ struct StarMesh {
     half_step: f32,
     list_z: vec3<f32>,
     capacity: u32,
+    // Rows of the rotation from the directions (right, up, forward) of the mesh's own picture to those
+    // of the picture that is drawn.
+    picture_right: vec3<f32>,
+    picture_up: vec3<f32>,
+    picture_forward: vec3<f32>,
 }
 
 // The result of the ray through a point of the mesh.

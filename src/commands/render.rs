@@ -1,6 +1,7 @@
 //! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
 mod checks;
+mod cube;
 mod exr_options;
 mod large;
 mod notes;
@@ -8,7 +9,8 @@ mod pictures;
 mod times;
 mod writer;
 
-use self::checks::{check_files, check_memory, check_space, check_times_file};
+use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
+use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{exr_form, exr_option};
 use self::large::tiling;
 pub use self::notes::still_drawing;
@@ -23,7 +25,7 @@ use super::scene::{note_missing_stars, on_stage, scene, stars};
 use super::stop::Stop;
 use glam::UVec2;
 use indicatif::ProgressBar;
-use lightfall_core::scene::{Scene, resized};
+use lightfall_core::scene::{Projection, Scene, resized};
 use lightfall_picture as picture;
 use lightfall_picture::{Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
@@ -44,6 +46,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
+    check_projection(args, &scene)?;
     if format == Format::Apng && sequence.is_none() {
         return Err(Stop::refused(
             "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
@@ -71,7 +74,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         .unwrap_or_default()
         .of_scene(&pictures.scene);
     let form = exr_form(args);
-    check_memory(&pictures.scene, format, (&channels, form), tiling.as_ref())?;
+    check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
         check_space(&pictures, &channels, tiling)?;
     }
@@ -82,7 +85,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         && args.size.is_some()
         && args.scene.cells.is_none()
     {
-        note_cells(&pictures.scene.picture);
+        note_cells(&pictures.scene.shown_picture());
     }
     note_unseen_stars(args, &pictures.scene);
     note_darkness(&pictures.scene);
@@ -96,6 +99,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         ..HeadlessOptions::default()
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
+    let first_scene = drawn_at_once(&first_scene);
     let studio = match &tiling {
         Some(tiling) => {
             let first_scene = picture::exposed(&first_scene)?;
@@ -103,7 +107,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             // The levels of a file do not come from the image that a window would show.
             Studio::with_options(&first_scene, UVec2::ONE, options)?
         }
-        None => Studio::with_options(&drawn_scene(&first_scene, format), size, options)?,
+        None => {
+            let size = first_scene.picture.size();
+            Studio::with_options(&drawn_scene(&first_scene, format), size, options)?
+        }
     };
     let mut writer = PictureWriter {
         studio,
@@ -130,7 +137,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         bar.set_message(file.display().to_string());
         writer.write(&scene, &file)?;
         if format != Format::Apng {
-            let name = || print(&format!("{}\n", file.display()));
+            let name = || {
+                let mut files = files_of(&file).into_iter();
+                files.try_for_each(|file| print(&format!("{}\n", file.display())))
+            };
             match &writer.progress {
                 Some(progress) => progress.without_bar(name)?,
                 None => bar.suspend(name)?,
@@ -165,6 +175,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
+        && !is_of_side(&args.out)
     {
         say(format_args!(
             "lightfall: a video of them: {}",
@@ -174,9 +185,14 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     Ok(())
 }
 
+/// The size of a picture for a dome, unless another is asked for.
+const DOME_SIZE: UVec2 = UVec2::splat(2048);
+
 /// A scene with the size that was asked for.
 fn with_size(args: &RenderArgs, mut scene: Scene) -> Scene {
-    if let Some(size) = args.size {
+    let is_dome = args.scene.dome && scene.camera.projection == Projection::Fisheye;
+    let of_dome = is_dome.then_some(DOME_SIZE);
+    if let Some(size) = args.size.or(of_dome) {
         scene.picture = resized(&scene.picture, size);
     }
     scene

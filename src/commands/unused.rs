@@ -60,6 +60,10 @@ pub(super) fn note_unused(
     let mut suspects = Vec::new();
     let mut said = Vec::new();
     for (index, given) in overrides.iter().enumerate() {
+        // A dome takes all of its values together, and says none of them by name.
+        if given.option == "--dome" {
+            continue;
+        }
         let option = written(args, given);
         let Some(unfinished) = without(args, &overrides, index) else {
             continue;

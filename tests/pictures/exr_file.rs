@@ -40,6 +40,7 @@ fn write(path: &Path, scene: &Scene, form: ExrForm, commit: Option<&str>) {
         record: PictureRecord {
             preset: scene.to_preset(),
             texts: vec![("lightfall.adapter", "an adapter".repeat(40))],
+            panorama: None,
         },
         light: Captured {
             size: SIZE,
@@ -48,6 +49,7 @@ fn write(path: &Path, scene: &Scene, form: ExrForm, commit: Option<&str>) {
                 .collect(),
             depth: None,
         },
+        first_row: 0,
         channels: &channels,
         samples,
         form,

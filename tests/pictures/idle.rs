@@ -28,6 +28,7 @@ fn other_values(scene: &Scene, field: &Field) -> Vec<Value> {
             .map(|choice| Value::Word(choice.word))
             .collect(),
         (Kind::Velocity, _) => vec![Value::Velocity([0.1, 0.0, 0.2])],
+        (Kind::Pair, _) => vec![Value::Pair([0.1, 0.2])],
         _ => vec![Value::Text("another".into())],
     };
     values.into_iter().filter(|value| *value != own).collect()

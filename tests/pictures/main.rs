@@ -20,6 +20,8 @@ mod linear_matter;
 )]
 mod moved_camera;
 mod night;
+mod projection_tiles;
+mod projections;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;
 #[path = "../../crates/lightfall-core/tests/gpu/random_scene.rs"]

@@ -45,6 +45,7 @@ fn about<'a>(scene: &'a Scene, studio: &Studio, channels: &'a Channels) -> Linea
         scene,
         record: studio.record(scene),
         light: Captured::empty(),
+        first_row: 0,
         channels,
         samples: Vec::new(),
         form: ExrForm::default(),
@@ -110,36 +111,41 @@ fn levels(png: &Path) -> Vec<u8> {
     image::open(png).unwrap().to_rgb8().into_raw()
 }
 
-fn check(size: UVec2, tile_sizes: &[UVec2]) {
+/// Compares a scene in tiles of these sizes with the scene drawn at once.
+pub(super) fn check_scene(name: &str, scene: &Scene, tile_sizes: &[UVec2]) {
     let channels: Channels = "sky,hit1,depth".parse().unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
+    let (scene, size) = (exposed(scene).unwrap(), scene.picture.size());
+    let still = write_whole(&scene, size, &channels, folder.path());
+    write_tiles(&scene, Tiles::one(size), &channels, folder.path());
+    let whole = levels(&path("tiles.png"));
+    let seen: BTreeSet<u8> = whole.iter().copied().collect();
+    assert!(seen.len() > 50, "{name}: there is nothing to see");
+    // FIT and PRINT are two shaders. A compiler may join a product and a sum in one of them and not in
+    // the other, which moves the noise of the rounding by up to a thousandth of a level.
+    let apart = |(a, b): (&u8, &u8)| a.abs_diff(*b);
+    let apart: Vec<u8> = whole.iter().zip(&still.rgb).map(apart).collect();
+    assert!(apart.iter().all(|apart| *apart <= 1), "{name}");
+    let moved = apart.iter().filter(|apart| **apart > 0).count();
+    assert!(moved <= whole.len() / 1000, "{name}: {moved} levels");
+    for tile in tile_sizes {
+        let tiles = Tiles::with_size(size, *tile);
+        let drawn = write_tiles(&scene, tiles, &channels, folder.path());
+        assert_eq!(drawn, (png_sweeps(&scene, &tiles) + 1) * tiles.count());
+        assert!(
+            fs::read(path("tiles.exr")).unwrap() == fs::read(path("whole.exr")).unwrap(),
+            "{name}, {tile}: the EXR files differ"
+        );
+        let image = levels(&path("tiles.png"));
+        let differ = image.iter().zip(&whole).filter(|(a, b)| a != b).count();
+        assert_eq!(differ, 0, "{name}, {tile}: levels of {}", whole.len());
+    }
+}
+
+fn check(size: UVec2, tile_sizes: &[UVec2]) {
     for (name, scene) in scenes(size) {
-        let scene = exposed(&scene).unwrap();
-        let still = write_whole(&scene, size, &channels, folder.path());
-        write_tiles(&scene, Tiles::one(size), &channels, folder.path());
-        let whole = levels(&path("tiles.png"));
-        let seen: BTreeSet<u8> = whole.iter().copied().collect();
-        assert!(seen.len() > 50, "{name}: there is nothing to see");
-        // FIT and PRINT are two shaders. A compiler may join a product and a sum in one of them and not
-        // in the other, which moves the noise of the rounding by up to a thousandth of a level.
-        let apart = |(a, b): (&u8, &u8)| a.abs_diff(*b);
-        let apart: Vec<u8> = whole.iter().zip(&still.rgb).map(apart).collect();
-        assert!(apart.iter().all(|apart| *apart <= 1), "{name}");
-        let moved = apart.iter().filter(|apart| **apart > 0).count();
-        assert!(moved <= whole.len() / 1000, "{name}: {moved} levels");
-        for tile in tile_sizes {
-            let tiles = Tiles::with_size(size, *tile);
-            let drawn = write_tiles(&scene, tiles, &channels, folder.path());
-            assert_eq!(drawn, (png_sweeps(&scene, &tiles) + 1) * tiles.count());
-            assert!(
-                fs::read(path("tiles.exr")).unwrap() == fs::read(path("whole.exr")).unwrap(),
-                "{name}, {tile}: the EXR files differ"
-            );
-            let image = levels(&path("tiles.png"));
-            let differ = image.iter().zip(&whole).filter(|(a, b)| a != b).count();
-            assert_eq!(differ, 0, "{name}, {tile}: levels of {}", whole.len());
-        }
+        check_scene(name, &scene, tile_sizes);
     }
 }
 

@@ -5,7 +5,7 @@ use lightfall::app::{
     Action, Bindable, Bindings, CONTROLS, Group, KeyLabels, Modifier, RowPreset, checked_change,
     control_named, edited, help_rows, preset_beside, remark,
 };
-use lightfall_core::scene::{Method, Observer, ObserverKind, Scene, View, presets};
+use lightfall_core::scene::{Method, Observer, ObserverKind, Projection, Scene, View, presets};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -137,6 +137,18 @@ fn feedback_of(scene: &Scene, id: &str) -> String {
         &Bindings::default(),
     )
     .unwrap_or_default()
+}
+
+#[test]
+fn the_keys_of_the_pixel_look_say_that_a_dome_has_none() {
+    let mut dome = Scene::default();
+    dome.camera.projection = Projection::Fisheye;
+    for id in ["picture.bypass", "picture.dither", "picture.levels"] {
+        assert_eq!(
+            feedback_of(&dome, id),
+            "only perspective pictures are shown in cells"
+        );
+    }
 }
 
 #[test]

@@ -51,6 +51,7 @@ mod panel;
 #[cfg(target_os = "linux")]
 mod portal;
 mod program;
+mod projections;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;
 mod rays;

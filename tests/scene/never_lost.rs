@@ -298,7 +298,7 @@ fn the_zoom_keys_stay_between_5_and_120_degrees_and_leave_wider_views_alone() {
             fov_deg,
             ..Camera::default()
         };
-        zoomed(&camera, power)
+        zoomed(&camera, power).unwrap()
     };
     assert!((zoomed(50.0, 0.0) - 50.0).abs() < 1e-12);
     assert!(zoomed(50.0, 0.1) > 50.0 && zoomed(50.0, -0.1) < 50.0);

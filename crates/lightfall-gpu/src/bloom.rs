@@ -2,7 +2,7 @@
 
 use super::shader::ShaderText;
 use encase::ShaderType;
-use glam::{UVec2, Vec2};
+use glam::{IVec2, UVec2, Vec2};
 
 /// Most rows of the base. A star's image is one pixel wide up to this height of a picture and wider in
 /// proportion above, so that a texel of the base sees the same light at every size.
@@ -18,7 +18,7 @@ const BOOST_POWER: f64 = 20.0;
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Bloom {
     pub whole: UVec2,
-    pub origin: UVec2,
+    pub origin: IVec2,
     pub filled: Vec2,
     pub square: u32,
 }
@@ -34,7 +34,7 @@ pub struct BloomLevels {
 
 impl Bloom {
     /// The numbers of a picture, of which what is drawn begins at `origin`.
-    pub fn new(levels: BloomLevels, origin: UVec2) -> Self {
+    pub fn new(levels: BloomLevels, origin: IVec2) -> Self {
         let BloomLevels { picture, .. } = levels;
         let square = levels.square();
         let reach = (levels.base() * square).as_vec2();

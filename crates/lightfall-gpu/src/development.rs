@@ -3,15 +3,15 @@
 use super::shader::ShaderText;
 use super::shader::text::{add_constant, add_u32};
 use encase::ShaderType;
-use glam::UVec2;
-use lightfall_model::scene::{Part, Scene, ToneCurve};
+use glam::{IVec2, UVec2};
+use lightfall_model::scene::{Scene, ToneCurve};
 
 /// Mirror of `Development` in shaders/develop.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Development {
     pub whole: UVec2,
-    pub origin: UVec2,
+    pub origin: IVec2,
     pub exposure: f32,
     pub bloom: f32,
 }
@@ -26,11 +26,11 @@ pub struct Developer {
 }
 
 impl Development {
-    /// The numbers of a scene of which a part is drawn, if one is given.
-    pub fn new(scene: &Scene, part: Option<Part>) -> Self {
+    /// The numbers of a scene, of whose picture what is drawn begins at `origin`.
+    pub fn new(scene: &Scene, origin: IVec2) -> Self {
         Self {
             whole: scene.picture.size(),
-            origin: part.map_or(UVec2::ZERO, |part| part.origin),
+            origin,
             exposure: scene.picture.exposure_ev.exp2() as f32,
             bloom: scene.picture.bloom as f32,
         }

@@ -3,7 +3,7 @@
 use super::adapter_list::SHOW_HIDDEN;
 use super::driver_advice;
 use lightfall_model::geometry::observer::ObserverError;
-use lightfall_model::scene::Method;
+use lightfall_model::scene::{Method, Projection};
 use lightfall_optics::stars::images::InversionError;
 use std::env::consts::OS;
 use thiserror::Error;
@@ -88,6 +88,16 @@ pub enum GpuError {
          jet.enabled = false leaves them out"
     )]
     StraightRaysWithJets,
+    /// The foreground probe has no picture in this projection.
+    #[error(
+        "probe.enabled = true is refused: the probe is drawn in perspective, and here camera.projection is \"{}\"{}; \
+         probe.enabled = false leaves it out",
+        .projection.word(), if *.shifted { " with a camera.shift" } else { "" }
+    )]
+    Probe {
+        projection: Projection,
+        shifted: bool,
+    },
     /// The device has too little free memory.
     #[error("the graphics device has too little free memory: {0}")]
     OutOfMemory(String),

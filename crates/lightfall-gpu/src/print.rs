@@ -2,13 +2,13 @@
 
 use super::shader::ShaderText;
 use encase::ShaderType;
-use glam::UVec2;
+use glam::IVec2;
 
 /// Mirror of `Print` in shaders/print.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Print {
-    pub origin: UVec2,
+    pub origin: IVec2,
     pub top: f32,
     pub bloom: u32,
 }

@@ -96,20 +96,26 @@ impl ApparentHole {
 pub fn dark_share(scene: &Scene) -> Result<f64, ObserverError> {
     let reference = Reference::new(scene)?;
     let axes = scene.camera.tetrad_from_camera();
-    let dark = picture_directions(scene).filter(|direction| {
-        let trace = reference.trace(axes * *direction);
-        trace.outcome == Outcome::Captured && trace.hits[0].is_none()
-    });
-    Ok(dark.count() as f64 / f64::from(RAYS[0] * RAYS[1]))
+    let (mut dark, mut all) = (0.0, 0.0);
+    for direction in picture_directions(scene) {
+        let trace = reference.trace(axes * direction);
+        let is_dark = trace.outcome == Outcome::Captured && trace.hits[0].is_none();
+        dark += f64::from(u8::from(is_dark));
+        all += 1.0;
+    }
+    // A circle that lies beside its picture shows nothing.
+    Ok(if all > 0.0 { dark / all } else { 0.0 })
 }
 
-/// Unit looking directions (right, up, forward) evenly spread over the picture.
+/// Unit looking directions (right, up, forward) evenly spread over the picture, within the circle of
+/// a fisheye one.
 fn picture_directions(scene: &Scene) -> impl Iterator<Item = DVec3> {
     let [across, down] = RAYS;
     let grid = DVec2::new(across.into(), down.into());
     let (camera, size) = (scene.camera, scene.picture.size().as_dvec2());
-    (0..across * down).map(move |i| {
+    (0..across * down).filter_map(move |i| {
         let cell = DVec2::new((i % across).into(), (i / across).into());
-        camera.looking((cell + 0.5) / grid * size, size)
+        let place = (cell + 0.5) / grid * size;
+        (camera.coverage(place, size) > 0.0).then(|| camera.looking(place, size))
     })
 }

@@ -22,6 +22,8 @@ const MAX_RAYS: u32 = 2560;
 /// Rays to the disk that give its mean level. Where a bright line is all of it, as deep inside the
 /// hole, a few rays would give another level for every turn of the camera.
 const ENOUGH_ON_DISK: f64 = 24.0;
+/// How many directions are tried for each ray where a picture cuts off most of its circle.
+const MAX_TRIES: u32 = 16;
 /// The places of the rays in the picture are multiples of these numbers, less whole pictures: an
 /// even distribution without rows and columns (Roberts 2018, "The Unreasonable Effectiveness of
 /// Quasirandom Sequences"), so a moving edge passes the rays one by one.
@@ -160,14 +162,17 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
         }
     };
     let mut on_disk = 0.0;
-    for i in 0..max_rays {
+    let shown = (0..MAX_TRIES * max_rays).filter_map(|i| {
+        let share = (0.5 + f64::from(i) * RAY_SPACING).fract();
+        scene.camera.spread(share, size)
+    });
+    for (looking, i) in shown.zip(0..max_rays) {
         let shines = scene.disk.enabled || scene.jet.enabled;
         let enough = !shines || on_disk >= ENOUGH_ON_DISK;
         if i >= RAYS && enough {
             break;
         }
-        let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
-        let direction = axes * scene.camera.looking(pixel, size);
+        let direction = axes * looking;
         let trace = reference.trace(direction);
         let photon = reference.photon(direction.normalize());
         let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);

@@ -239,6 +239,6 @@ fn rotate_camera(camera: &mut Camera, rotation: DMat3) {
         .into_iter()
         .fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest > MIN_ROTATION {
-        camera.set_orientation(rotation * camera.tetrad_from_camera());
+        camera.set_orientation(rotation * camera.heading());
     }
 }

@@ -64,7 +64,8 @@ pub(super) fn write_exr_rows(
         |meta, chunks| {
             let header = &meta.headers[0];
             let drawn = draw(&mut |light, samples| {
-                let rows = picture.with_rows(light, samples);
+                let in_block = header.compression.scan_lines_per_block();
+                let rows = picture.with_rows((blocks * in_block) as u32, light, samples);
                 let encoded = encoded(rows, header, blocks)
                     .map_err(|error| PictureError::encode(path, &error))?;
                 for chunk in encoded {

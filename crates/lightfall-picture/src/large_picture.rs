@@ -3,7 +3,7 @@
 use super::exr_rows::{rows_at_once, write_exr_rows};
 use super::file::PictureError;
 use super::headless::drawable;
-use super::png_rows::{PngBits, write_png_rows};
+use super::png_rows::{PngBits, TakeRows, write_png_rows};
 use super::{Linear, PixelRays, Studio, Tiles};
 use glam::UVec2;
 use lightfall_core::scene::{Part, Scene};
@@ -66,22 +66,80 @@ impl LargePicture<'_> {
             developed.picture.samples = 1;
         }
         let written = write_png_rows(path, (whole, bits), record, |take| {
-            for strip in self.tiles.strips() {
-                let mut rows = Vec::new();
-                for part in strip {
-                    let given = light.as_mut().map(|light| light.read(part)).transpose()?;
-                    studio.give_light(given);
-                    studio.show_part(&developed, part)?;
-                    let levels = studio.levels()?.rgb;
-                    place(&mut rows, &levels, (part, whole.x, 3));
-                    (self.on_tile)();
-                }
-                take(&rows)?;
-            }
-            Ok(())
+            self.draw_levels(studio, (&developed, light.as_mut()), take)
         });
         studio.give_light(None);
         written
+    }
+
+    /// Draws the picture and returns its levels: red, green and blue of each pixel, rows from the top. The
+    /// scene must have no bloom, unless there is one tile. The studio must make the levels of a file.
+    ///
+    /// # Errors
+    /// Drawing failed.
+    pub fn levels(&mut self, studio: &mut Studio) -> Result<Vec<u16>, PictureError> {
+        let mut levels = Vec::new();
+        self.draw_levels(studio, (self.scene, None), &mut |rows| {
+            levels.extend_from_slice(rows);
+            Ok(())
+        })?;
+        Ok(levels)
+    }
+
+    /// Draws the levels of a scene, from its light if that is given.
+    fn draw_levels(
+        &mut self,
+        studio: &mut Studio,
+        (scene, mut light): (&Scene, Option<&mut Light>),
+        take: TakeRows,
+    ) -> Result<(), PictureError> {
+        let columns = self.tiles.whole().x;
+        for strip in self.tiles.strips() {
+            let mut rows = Vec::new();
+            for part in strip {
+                let given = light.as_mut().map(|light| light.read(part)).transpose()?;
+                studio.give_light(given);
+                studio.show_part(scene, part)?;
+                let levels = studio.levels()?.rgb;
+                place(&mut rows, &levels, (part, columns, 3));
+                (self.on_tile)();
+            }
+            take(&rows)?;
+        }
+        Ok(())
+    }
+
+    /// Draws the picture and returns its light and, if asked for, the depth of its foreground. The studio
+    /// must keep light.
+    ///
+    /// # Errors
+    /// Drawing failed.
+    pub fn light(
+        &mut self,
+        studio: &mut Studio,
+        with_depth: bool,
+    ) -> Result<(Captured, Vec<f32>), PictureError> {
+        let size = self.tiles.whole();
+        let (mut rgba, mut depth) = (Vec::new(), Vec::new());
+        for strip in self.tiles.strips() {
+            let (mut rows, mut depths) = (Vec::new(), Vec::new());
+            for part in strip {
+                studio.show_part(self.scene, part)?;
+                place(&mut rows, &studio.light()?.rgba, (part, size.x, 1));
+                if with_depth {
+                    place(&mut depths, &studio.depth()?, (part, size.x, 1));
+                }
+                (self.on_tile)();
+            }
+            rgba.append(&mut rows);
+            depth.append(&mut depths);
+        }
+        let light = Captured {
+            size,
+            rgba,
+            depth: None,
+        };
+        Ok((light, depth))
     }
 
     /// Draws the light of all tiles to a temporary file beside `path`.

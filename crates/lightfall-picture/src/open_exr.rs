@@ -4,11 +4,11 @@
 use super::exr_form::{ChannelNames, ExrForm, MissingValues};
 use super::file::PictureError;
 use super::{Channels, exr_header};
-use exr::meta::attribute::Chromaticities;
+use exr::meta::attribute::{Chromaticities, EnvironmentMap};
 use exr::prelude::*;
-use glam::UVec2;
+use glam::{DVec2, UVec2};
 use lightfall_core::optics::photometry::DISK_HDR_SCALE;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_platform::storage::{PictureRecord, header_text, preset_pieces, write_atomically};
 use lightfall_render::Captured;
 use std::io::Cursor;
@@ -23,7 +23,8 @@ fn about_light() -> [(&'static str, String); 4] {
              6500 K (docs/PICTURES.md)"
         )
     };
-    let opacity = "1 everywhere, because dark things hide what is behind them";
+    let opacity = "the share of the pixel within a fisheye picture's circle, by which RGB is multiplied; else 1 everywhere, \
+                   because dark things hide what is behind them";
     [
         ("R", about("red")),
         ("G", about("green")),
@@ -39,8 +40,10 @@ pub struct Linear<'a> {
     pub scene: &'a Scene,
     /// Its record.
     pub record: PictureRecord,
-    /// Its light.
+    /// Its light, or that of some of its rows.
     pub light: Captured,
+    /// The row of the whole picture with which the light begins.
+    pub first_row: u32,
     /// The channels of its rays.
     pub channels: &'a Channels,
     /// The numbers of those channels.
@@ -100,11 +103,17 @@ pub(super) fn layer(picture: Linear, size: UVec2) -> Layer<AnyChannels<FlatSampl
 }
 
 impl Linear<'_> {
-    /// The same picture with other rows.
-    pub(super) fn with_rows(&self, light: Captured, samples: Vec<Vec<f32>>) -> Self {
+    /// The same picture with other rows, from `first_row` on.
+    pub(super) fn with_rows(
+        &self,
+        first_row: u32,
+        light: Captured,
+        samples: Vec<Vec<f32>>,
+    ) -> Self {
         Self {
             record: self.record.clone(),
             light,
+            first_row,
             samples,
             ..*self
         }
@@ -113,6 +122,7 @@ impl Linear<'_> {
     /// The same picture without rows.
     pub(super) fn without_rows(&self) -> Self {
         self.with_rows(
+            0,
             Captured::empty(),
             vec![Vec::new(); self.channels.list().len()],
         )
@@ -120,22 +130,28 @@ impl Linear<'_> {
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
+    let columns = picture.light.size.x as usize;
+    let (camera, whole) = (picture.scene.camera, picture.scene.picture.size());
+    let coverage = |number: usize| {
+        let pixel = DVec2::new((number % columns) as f64, (number / columns) as f64);
+        let place = pixel + 0.5 + DVec2::new(0.0, picture.first_row.into());
+        f16::from_f64(camera.coverage(place, whole.as_dvec2()))
+    };
     let light = ["R", "G", "B", "A"]
         .into_iter()
         .enumerate()
         .map(|(i, name)| {
-            let value = |pixel: &[u16; 4]| {
+            let value = |(number, pixel): (usize, &[u16; 4])| {
                 if name == "A" {
-                    f16::ONE
+                    coverage(number)
                 } else {
                     f16::from_bits(pixel[i])
                 }
             };
-            AnyChannel::new(
-                name,
-                FlatSamples::F16(picture.light.rgba.iter().map(value).collect()),
-            )
-        });
+            let values = picture.light.rgba.iter().enumerate().map(value);
+            AnyChannel::new(name, FlatSamples::F16(values.collect()))
+        })
+        .collect::<Vec<_>>();
     let rest = picture
         .channels
         .list()
@@ -153,7 +169,7 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
             };
             AnyChannel::new(name, samples)
         });
-    AnyChannels::sort(light.chain(rest).collect())
+    AnyChannels::sort(light.into_iter().chain(rest).collect())
 }
 
 /// The number, or zero in place of NaN.
@@ -191,6 +207,13 @@ fn attributes(picture: &Linear) -> LayerAttributes {
     });
     LayerAttributes {
         software_name: Some(text(&format!("lightfall {version}"))),
+        environment_map: match picture.scene.camera.projection {
+            Projection::Equirectangular => Some(EnvironmentMap::LatitudeLongitude),
+            Projection::Cube => Some(EnvironmentMap::Cube),
+            Projection::Perspective | Projection::Fisheye => None,
+        },
+        wrap_mode_name: (picture.scene.camera.projection == Projection::Equirectangular)
+            .then(|| text("periodic,clamp")),
         frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
         other: texts
             .into_iter()

@@ -47,6 +47,20 @@ impl PngBits {
     }
 }
 
+/// Writes a PNG of these levels, of red, green and blue of each pixel; rows from the top. The file
+/// appears under its name only when it is complete.
+///
+/// # Errors
+/// There are not as many levels as the size says, or the file cannot be written.
+pub fn write_png_levels(
+    path: &Path,
+    (size, bits): (UVec2, PngBits),
+    levels: &[u16],
+    record: &PictureRecord,
+) -> Result<(), PictureError> {
+    write_png_rows(path, (size, bits), record, |take| take(levels))
+}
+
 /// What takes the next rows of a picture: red, green and blue of each pixel.
 pub(super) type TakeRows<'a> = &'a mut dyn FnMut(&[u16]) -> Result<(), PictureError>;
 

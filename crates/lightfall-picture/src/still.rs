@@ -250,7 +250,7 @@ impl Studio {
 /// The scene as it is drawn for a picture of its own size: its cells fill the picture.
 #[must_use]
 pub fn filled(scene: &Scene) -> Scene {
-    let picture = fit(&scene.picture, scene.picture.size(), u64::MAX);
+    let picture = fit(&scene.shown_picture(), scene.picture.size(), u64::MAX);
     Scene {
         picture,
         ..scene.clone()

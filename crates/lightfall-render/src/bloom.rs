@@ -41,7 +41,9 @@ const STEPS: [(&str, TextureFormat); 4] = [
 #[derive(Resource)]
 pub(super) struct BloomPass {
     layout: BindGroupLayoutDescriptor,
-    sampler: Sampler,
+    /// For pictures with edges on all sides, and for those whose columns go around.
+    samplers: [Sampler; 2],
+    goes_around: bool,
     uniform: UniformBuffer<Bloom>,
     /// In the order of [`STEPS`], from the first scene with bloom on.
     pipelines: Option<[CachedRenderPipelineId; STEPS.len()]>,
@@ -58,6 +60,12 @@ impl BloomPass {
     pub(super) fn largest_level(&self) -> &TextureView {
         let textures = self.textures.as_ref();
         textures.map_or(&self.nothing, |textures| &textures.levels[0])
+    }
+
+    /// What the levels are read with. Where the picture's columns go around, those of the levels do,
+    /// too.
+    pub(super) fn sampler(&self) -> &Sampler {
+        &self.samplers[usize::from(self.goes_around)]
     }
 
     /// Whether there is bloom.
@@ -129,7 +137,8 @@ fn create_bloom_pass(mut commands: Commands, device: Res<RenderDevice>) {
     ];
     commands.insert_resource(BloomPass {
         layout: BindGroupLayoutDescriptor::new("bloom layout", &entries),
-        sampler: linear_sampler(&device),
+        samplers: [false, true].map(|around| linear_sampler(&device, around)),
+        goes_around: false,
         uniform: UniformBuffer::from(Bloom::default()),
         pipelines: None,
         textures: None,
@@ -151,13 +160,13 @@ fn prepare_bloom(
     };
     pass.queue_pipelines(&graphics.cache);
     pass.share = scene.picture.bloom;
+    pass.goes_around = scene.camera.projection.goes_around() && !compared.is_two_pictures();
     let has_base = levels.square() > 1 || part.drawn().is_some();
     let fits = |textures: &BloomTextures| textures.fits(levels, has_base);
     if !pass.textures.as_ref().is_some_and(fits) {
         pass.textures = Some(BloomTextures::new(&graphics.device, levels, has_base));
     }
-    let origin = part.drawn().map_or(UVec2::ZERO, |part| part.origin);
-    let numbers = Bloom::new(levels, origin);
+    let numbers = Bloom::new(levels, part.first_pixel());
     if *pass.uniform.get() != numbers || pass.uniform.binding().is_none() {
         pass.uniform.set(numbers);
         pass.uniform.write_buffer(&graphics.device, &graphics.queue);
@@ -182,7 +191,7 @@ pub(super) fn draw_bloom(
     let layout = cache.get_bind_group_layout(&pass.layout);
     let device = context.render_device().clone();
     let bind = |source: &TextureView| {
-        let entries = BindGroupEntries::sequential((uniform.clone(), source, &pass.sampler));
+        let entries = BindGroupEntries::sequential((uniform.clone(), source, pass.sampler()));
         device.create_bind_group("bloom bindings", &layout, &entries)
     };
     let diagnostics = context.diagnostic_recorder();

@@ -87,7 +87,7 @@ impl Chain {
                 1
             },
             bloom: bloom.then_some(BloomLevels { picture, rows }),
-            cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
+            cells: scene.has_cells().then_some(scene.picture.grid()),
             difference: false,
         }
     }

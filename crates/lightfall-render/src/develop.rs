@@ -75,7 +75,8 @@ fn prepare_develop_pass(
     *current = Developer::of(&scene, bloom.is_on()).number();
     let full_screen = &mut passes[*current];
     full_screen.queue(STAGE, &graphics.cache);
-    full_screen.write(Development::new(&scene, part.drawn()), &graphics);
+    full_screen.set_sampler(bloom.sampler());
+    full_screen.write(Development::new(&scene, part.first_pixel()), &graphics);
 }
 
 /// Whether the picture is a part whose bloom is not known yet.

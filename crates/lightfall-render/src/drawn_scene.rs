@@ -7,7 +7,7 @@ use bevy::ecs::schedule::ScheduleLabel;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Frame, Part};
+use lightfall_core::scene::{Frame, Part, Projection};
 
 /// The scene as it was last chosen or flown: at its own size, with the exposure and the time of the
 /// disk that it was chosen with.
@@ -35,19 +35,29 @@ pub struct DrawnPart(Option<Parts>);
 struct Parts {
     wanted: Part,
     drawn: Part,
+    /// Where what is wanted begins in what is drawn.
+    inset: UVec2,
 }
 
 impl DrawnPart {
-    /// The part of a frame, with an apron where its light is not given.
-    fn of(frame: &Frame, apron: u32) -> Self {
+    /// The part of a frame, with an apron where its light is not given. The apron ends at the edges of
+    /// the picture, unless its columns go around.
+    fn of(frame: &Frame, projection: Projection, apron: u32) -> Self {
         Self(frame.part().map(|wanted| {
-            let origin = wanted.origin.saturating_sub(UVec2::splat(apron));
+            let mut origin = wanted.origin.saturating_sub(UVec2::splat(apron));
+            let mut inset = wanted.origin - origin;
             let end = (wanted.origin + wanted.size + apron).min(frame.whole);
-            let drawn = Part {
-                origin,
-                size: end - origin,
-            };
-            Parts { wanted, drawn }
+            let mut size = end - origin;
+            if projection.goes_around() {
+                let columns = frame.whole.x.max(1);
+                origin.x = (wanted.origin.x + columns - apron % columns) % columns;
+                (inset.x, size.x) = (apron, wanted.size.x + 2 * apron);
+            }
+            Parts {
+                wanted,
+                drawn: Part { origin, size },
+                inset,
+            }
         }))
     }
 
@@ -61,11 +71,19 @@ impl DrawnPart {
         self.0.map(|parts| parts.wanted)
     }
 
+    /// The place in the whole picture of the first pixel that is drawn: left of the first column where
+    /// the columns go around.
+    pub(super) fn first_pixel(&self) -> IVec2 {
+        self.0.map_or(IVec2::ZERO, |parts| {
+            parts.wanted.origin.as_ivec2() - parts.inset.as_ivec2()
+        })
+    }
+
     /// Where the part that was asked for lies in the target, which has this size in pixels.
     pub(super) fn in_target(&self, size: UVec2) -> Part {
         self.0
-            .map_or(Part::whole(size), |Parts { wanted, drawn }| Part {
-                origin: wanted.origin - drawn.origin,
+            .map_or(Part::whole(size), |Parts { wanted, inset, .. }| Part {
+                origin: inset,
                 size: wanted.size,
             })
     }
@@ -102,6 +120,60 @@ pub fn draw_scene_in_frame(
     if scene.is_changed() || frame.is_changed() || given.is_changed() {
         drawn.set_if_neq(DrawnScene(scene.shown_in(&frame)));
         let apron = if given.is_some() { 0 } else { APRON };
-        part.set_if_neq(DrawnPart::of(&frame, apron));
+        let projection = scene.camera.projection;
+        part.set_if_neq(DrawnPart::of(&frame, projection, apron));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lightfall_core::scene::Scene;
+
+    /// The margin of a part ends at the edges of the picture. Where columns go around it does not, also
+    /// for a part as wide as the picture.
+    #[test]
+    fn a_part_has_a_margin_on_the_other_side_of_the_whole_sky() {
+        let frame = Frame::of(&Scene::default()).with_whole(UVec2::new(16, 8));
+        let part = |[x, y, width, height]: [u32; 4]| Part {
+            origin: UVec2::new(x, y),
+            size: UVec2::new(width, height),
+        };
+        for (wanted, projection, drawn, first_pixel, inset) in [
+            (
+                [0, 2, 8, 4],
+                Projection::Perspective,
+                [0, 0, 10, 8],
+                [0, 0],
+                [0, 2],
+            ),
+            (
+                [0, 2, 8, 4],
+                Projection::Equirectangular,
+                [14, 0, 12, 8],
+                [-2, 0],
+                [2, 2],
+            ),
+            (
+                [8, 0, 8, 4],
+                Projection::Equirectangular,
+                [6, 0, 12, 6],
+                [6, 0],
+                [2, 0],
+            ),
+            (
+                [0, 4, 16, 4],
+                Projection::Equirectangular,
+                [14, 2, 20, 6],
+                [-2, 2],
+                [2, 2],
+            ),
+        ] {
+            let frame = frame.with_part(Some(part(wanted)));
+            let seen = DrawnPart::of(&frame, projection, APRON);
+            assert_eq!(seen.drawn(), Some(part(drawn)), "{wanted:?}");
+            assert_eq!(seen.first_pixel(), IVec2::from(first_pixel), "{wanted:?}");
+            assert_eq!(seen.in_target(UVec2::ZERO).origin, UVec2::from(inset));
+        }
     }
 }

@@ -50,8 +50,13 @@ impl<U: ShaderType + WriteInto + Default> FullScreenPass<U> {
         let binding = entries.len() as u32;
         let kind = sampler(SamplerBindingType::Filtering);
         entries.push(kind.build(binding, ShaderStages::FRAGMENT));
-        self.sampler = Some(linear_sampler(device));
+        self.sampler = Some(linear_sampler(device, false));
         self
+    }
+
+    /// Reads its textures with another sampler from now on.
+    pub(super) fn set_sampler(&mut self, sampler: &Sampler) {
+        self.sampler = Some(sampler.clone());
     }
 
     /// Writes the uniform.

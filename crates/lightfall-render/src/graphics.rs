@@ -61,6 +61,22 @@ pub(super) fn create_target(
     texture.create_view(&default())
 }
 
+/// A sampler that interpolates linearly between texels. Where columns go around, the first one follows
+/// the last.
+pub(super) fn linear_sampler(device: &RenderDevice, goes_around: bool) -> Sampler {
+    device.create_sampler(&SamplerDescriptor {
+        label: Some("linear sampler"),
+        address_mode_u: if goes_around {
+            AddressMode::Repeat
+        } else {
+            AddressMode::ClampToEdge
+        },
+        mag_filter: FilterMode::Linear,
+        min_filter: FilterMode::Linear,
+        ..default()
+    })
+}
+
 /// A buffer of this size in bytes.
 pub(super) fn create_buffer(
     device: &RenderDevice,
@@ -73,16 +89,6 @@ pub(super) fn create_buffer(
         size,
         usage,
         mapped_at_creation: false,
-    })
-}
-
-/// A sampler that interpolates linearly between texels.
-pub(super) fn linear_sampler(device: &RenderDevice) -> Sampler {
-    device.create_sampler(&SamplerDescriptor {
-        label: Some("linear sampler"),
-        mag_filter: FilterMode::Linear,
-        min_filter: FilterMode::Linear,
-        ..default()
     })
 }
 

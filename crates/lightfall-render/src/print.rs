@@ -128,7 +128,7 @@ fn prepare_print_pass(
     full_screen.queue(STAGE, &graphics.cache);
     let drawn = part.drawn();
     let numbers = Print {
-        origin: drawn.map_or(UVec2::ZERO, |part| part.origin),
+        origin: part.first_pixel(),
         top: prints.top.into(),
         bloom: bloom.is_on().into(),
     };

@@ -7,6 +7,7 @@
 use crate::antialias::{AntialiasPass, edges_layout, refinement_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
+use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::geodesic::GeodesicPass;
 use crate::given_light::traces_light;
 use crate::graphics::run_compute_pass;
@@ -36,7 +37,7 @@ pub(super) fn refine_edges(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
     (If(geodesic), If(pass)): (If<Res<GeodesicPass>>, If<Res<AntialiasPass>>),
     If(request): If<Res<DrawRequest>>,
-    drawn: Res<DrawnFrame>,
+    (drawn, scene, part): (Res<DrawnFrame>, Res<DrawnScene>, Res<DrawnPart>),
     cache: Res<PipelineCache>,
     queue: Res<RenderQueue>,
     mut context: RenderContext,
@@ -55,6 +56,8 @@ pub(super) fn refine_edges(
     // each frame's own rays would make the mean wrong: bright rays would be refined, dark ones not.
     let searches = request.averaged_frame().is_none_or(|frame| frame == 0);
     let search = Edges { size: targets.size };
+    // A part has the neighbours of its outermost columns in its apron.
+    let goes_around = scene.camera.projection.goes_around() && part.drawn().is_none();
     let refinements: Vec<_> = geodesic
         .refinements(&cache, targets.size.x)
         .zip(&targets.marks)
@@ -62,7 +65,8 @@ pub(super) fn refine_edges(
             let (_, _, columns) = &refinement;
             if searches {
                 let quick = u32::from(request.is_quick());
-                let wanted = [columns.start, columns.end, quick, 0].map(u32::to_le_bytes);
+                let around = u32::from(goes_around && columns.len() == targets.size.x as usize);
+                let wanted = [columns.start, columns.end, quick, around].map(u32::to_le_bytes);
                 queue.write_buffer(&marks.search, 0, &wanted.concat());
                 queue.write_buffer(&marks.work, 0, &search.no_work());
             }

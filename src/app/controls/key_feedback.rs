@@ -7,7 +7,7 @@ use super::refusal::no_observer;
 use super::table::control_named;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::camera_rays::CameraRays;
-use lightfall_core::scene::{Content, ObserverKind, Scene, View};
+use lightfall_core::scene::{Content, ObserverKind, Projection, Scene, View};
 
 /// A remark on the change that a control has made. None where the picture shows the change. Keys
 /// are named as they are bound.
@@ -68,6 +68,11 @@ pub fn remark(
             "there is no probe to smooth; {} adds it",
             key("scene.probe")
         )),
+        "picture.bypass" | "picture.dither" | "picture.levels"
+            if after.camera.projection != Projection::Perspective =>
+        {
+            Some("only perspective pictures are shown in cells".into())
+        }
         "picture.dither" | "picture.levels" if !after.view.shows_light() => {
             let back = way_back("shows light");
             Some(format!("a view keeps its exact colours{back}"))

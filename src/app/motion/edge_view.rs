@@ -36,7 +36,7 @@ pub fn edge_distance(radius: f64, half_height: f64) -> f64 {
 #[must_use]
 pub fn edge_in_view(scene: &Scene, was_turned: bool, max_turn: f64) -> Option<DMat3> {
     let hole = ApparentHole::new(scene).ok()?;
-    let axes = scene.camera.tetrad_from_camera();
+    let axes = scene.camera.heading();
     let (up, forward) = (axes.y_axis, axes.z_axis);
     let distance = hole.direction.angle_between(forward);
     let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;

@@ -97,7 +97,7 @@ impl Facing {
     pub(crate) fn start(&mut self, aim: Aim, scene: &Scene) {
         self.turn = Some(Turn {
             aim,
-            from: scene.camera.tetrad_from_camera(),
+            from: scene.camera.heading(),
             seconds: 0.0,
         });
         self.left.note(scene);
@@ -155,7 +155,7 @@ pub fn next_aim(scene: &Scene) -> Aim {
     let Ok(hole) = ApparentHole::new(scene) else {
         return first;
     };
-    let forward = scene.camera.tetrad_from_camera().z_axis;
+    let forward = scene.camera.heading().z_axis;
     let angle = hole.direction.angle_between(forward);
     let aims = [
         (Aim::Hole, 0.0),

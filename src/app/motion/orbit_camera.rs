@@ -95,7 +95,7 @@ pub fn orbited(scene: &Drawable, step: &OrbitStep) -> Result<Steered, Undrawable
 /// The clockwise roll, in radians, of a camera that faces the hole.
 fn roll_against_level(scene: &Scene) -> f64 {
     aimed(scene, Aim::Hole).map_or(0.0, |level| {
-        let up = level.transpose() * scene.camera.tetrad_from_camera().y_axis;
+        let up = level.transpose() * scene.camera.heading().y_axis;
         up.x.atan2(up.y)
     })
 }

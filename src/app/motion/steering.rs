@@ -74,11 +74,11 @@ pub enum Barrier {
 pub fn steered(scene: &Drawable, steering: &Steering) -> Result<Steered, Undrawable> {
     let mut next = scene.scene().clone();
     let camera = &mut next.camera;
-    camera.set_orientation(camera.tetrad_from_camera() * turned(steering.turn));
+    camera.set_orientation(camera.heading() * turned(steering.turn));
     let stopped_by = if steering.thrust == DVec3::ZERO {
         None
     } else {
-        let thrust = camera.tetrad() * camera.tetrad_from_camera() * steering.thrust;
+        let thrust = camera.tetrad() * camera.heading() * steering.thrust;
         let [speed, seconds] = [steering.speed, steering.seconds];
         move_camera(&mut next, thrust, speed * seconds)
     };
@@ -115,7 +115,7 @@ fn move_camera(scene: &mut Scene, thrust: DVec3, time: f64) -> Option<Barrier> {
     let camera = &mut scene.camera;
     if let Some(axis) = outward.cross(aside).try_normalize() {
         let rotation = DMat3::from_axis_angle(axis, angle);
-        let world_from_camera = camera.tetrad() * camera.tetrad_from_camera();
+        let world_from_camera = camera.tetrad() * camera.heading();
         camera.set_pose(rotation * outward, rotation * world_from_camera);
     }
     camera.r = r;

@@ -53,7 +53,7 @@ fn adapt_resolution(
     (mut measurement, mut last): (Local<Measurement>, Local<Option<ViewPoint>>),
 ) {
     let settings = &preferences.settings;
-    let fineness = resolution.fineness(&scene.picture);
+    let fineness = resolution.fineness(&scene.shown_picture());
     let is_slow = |info| {
         let kind = assumed_kind(info);
         matches!(kind, DeviceType::Cpu | DeviceType::IntegratedGpu)
@@ -91,7 +91,7 @@ fn adapt_resolution(
         };
     }
     resolution.set_share(if adapts { share } else { 1.0 });
-    let at_rest = resolution.at_rest(&scene.picture);
+    let at_rest = resolution.at_rest(&scene.shown_picture());
     area.set_if_neq(PictureArea {
         at_rest: Some(RestingSizes {
             size: at_rest.size(),

@@ -26,7 +26,7 @@ fn follow_light(
     }
     // Not at the resolution that is drawn: a coarser picture is metered a little differently.
     let metered = Scene {
-        picture: resolution.in_window(&scene.picture),
+        picture: resolution.in_window(&scene.shown_picture()),
         ..scene.scene().clone()
     };
     meter.follow(&metered, time.delta_secs_f64());

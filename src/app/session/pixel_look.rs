@@ -18,7 +18,7 @@ fn keep_pixel_look(
     mut preferences: ResMut<Preferences>,
     mut last: Local<Option<[bool; 2]>>,
 ) {
-    let [setting, shown] = [preferences.settings.pixel_look, editor.shows_cells()];
+    let [setting, shown] = [preferences.settings.pixel_look, editor.has_pixel_look()];
     if last.is_some_and(|[_, last]| last != shown) {
         preferences.settings.pixel_look = shown;
     } else if last.is_some_and(|[last, _]| last != setting) {
@@ -26,5 +26,5 @@ fn keep_pixel_look(
         scene.picture.bypass = !setting;
         editor.change("Pixel look", scene);
     }
-    *last = Some([preferences.settings.pixel_look, editor.shows_cells()]);
+    *last = Some([preferences.settings.pixel_look, editor.has_pixel_look()]);
 }

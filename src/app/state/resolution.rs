@@ -53,7 +53,7 @@ impl Resolution {
     /// The frame of a scene with the size and the cells that are drawn in the window.
     #[must_use]
     pub fn frame(&self, scene: &Scene) -> Frame {
-        let (size, cells) = self.drawn_sizes(&scene.picture);
+        let (size, cells) = self.drawn_sizes(&scene.shown_picture());
         Frame {
             cells,
             ..Frame::of(scene).with_whole(size)

@@ -68,20 +68,22 @@ impl SceneEditor<'_> {
     /// The scene that a picture file of what the window shows holds.
     pub(crate) fn scene_in_window(&self) -> Scene {
         let mut scene = self.scene();
-        scene.picture = self.resolution.in_window(&scene.picture);
+        let bypass = scene.picture.bypass;
+        scene.picture = self.resolution.in_window(&scene.shown_picture());
+        scene.picture.bypass = bypass;
         scene
     }
 
     /// The picture as it is drawn while nothing moves.
     pub(crate) fn picture_at_rest(&self) -> Picture {
-        self.resolution.at_rest(&self.scene().picture)
+        self.resolution.at_rest(&self.scene().shown_picture())
     }
 
     /// As [`picture_at_rest`](Self::picture_at_rest), in a window without panels.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn picture_without_panels(&self) -> Picture {
         self.resolution
-            .at_rest_without_panels(&self.scene().picture)
+            .at_rest_without_panels(&self.scene().shown_picture())
     }
 
     /// Whether the scene has changed since the last run of the system.
@@ -89,9 +91,14 @@ impl SceneEditor<'_> {
         self.scene.is_changed()
     }
 
+    /// Whether the pixel look is chosen. Only perspective pictures have it.
+    pub(crate) fn has_pixel_look(&self) -> bool {
+        !self.scene.picture.bypass
+    }
+
     /// Whether the picture is shown in cells.
     pub(crate) fn shows_cells(&self) -> bool {
-        !self.scene.picture.bypass
+        self.scene.has_cells()
     }
 
     /// The scene as it was loaded.

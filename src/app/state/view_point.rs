@@ -19,6 +19,9 @@ impl From<&Scene> for ViewPoint {
     }
 }
 
+/// The height of a picture of the whole sky, in degrees.
+const WHOLE_SKY_DEG: f64 = 180.0;
+
 impl ViewPoint {
     /// By how much of its height the picture moves on the way to another point, about: by the angle
     /// through which the camera turns, and by how much the outermost things come nearer. The stars,
@@ -34,8 +37,10 @@ impl ViewPoint {
             .sum::<f64>()
             .sqrt();
         let (before, after) = (&self.camera, &to.camera);
-        let nearer = (after.r / before.r).ln().abs() + (after.fov_deg / before.fov_deg).ln().abs();
-        (turned + boost) / after.fov_deg.to_radians() + 0.5 * nearer
+        let [narrow, wide] =
+            [before, after].map(|camera| camera.field_deg().unwrap_or(WHOLE_SKY_DEG));
+        let nearer = (after.r / before.r).ln().abs() + (wide / narrow).ln().abs();
+        (turned + boost) / wide.to_radians() + 0.5 * nearer
     }
 
     /// The camera's axes in the hole's frame, as if space were flat.

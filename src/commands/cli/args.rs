@@ -57,12 +57,25 @@ pub struct SceneArgs {
     /// true, applied after every --set
     #[arg(long, value_name = "on|off", value_enum, hide_possible_values = true)]
     pub cells: Option<Cells>,
+    /// Draw for a dome: a fisheye of 180 degrees that looks 60 degrees above the hole, without cells;
+    /// short for --set camera.projection=fisheye, camera.fisheye_deg=180, camera.tilt_deg=60 and
+    /// picture.bypass=true, applied before every --set. `render` draws a square
+    #[arg(long)]
+    pub dome: bool,
     /// CSV file of stars in place of the built-in catalogue, a line ra_deg,dec_deg,v_mag,b_v,name for
     /// each: J2000, in degrees; the last two may be missing. A first line of column names may give
     /// them in another order, and those of the HYG database and of Gaia's archive are known
     #[arg(long, value_name = "FILE")]
     pub stars: Option<PathBuf>,
 }
+
+/// What `--dome` sets: a dome master whose hole is 30 degrees above the front of the spring line.
+const DOME: [(&str, &str); 4] = [
+    ("camera.projection", "fisheye"),
+    ("camera.fisheye_deg", "180"),
+    ("camera.tilt_deg", "60"),
+    ("picture.bypass", "true"),
+];
 
 /// Whether the picture is shown in cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -240,6 +253,7 @@ impl SceneArgs {
             quality: one(&self.quality, &after.quality)?,
             samples: one(&self.samples, &after.samples)?,
             cells: one(&self.cells, &after.cells)?,
+            dome: self.dome || after.dome,
             stars: one(&self.stars, &after.stars)?,
         })
     }
@@ -249,7 +263,10 @@ impl SceneArgs {
     /// # Errors
     /// A `--set` that is not of the form KEY=VALUE.
     pub fn overrides(&self) -> Result<Vec<Override>, SceneError> {
-        let mut overrides = assignments(&self.sets)?;
+        let dome = DOME.iter().filter(|_| self.dome);
+        let dome = dome.map(|(key, value)| Override::new("--dome", key, value));
+        let mut overrides: Vec<_> = dome.collect();
+        overrides.extend(assignments(&self.sets)?);
         let quality = self.quality.as_deref().and_then(ArticleQuality::from_word);
         let bypass = self.cells.map(|cells| cells == Cells::Off);
         let short = [

@@ -69,6 +69,7 @@ pub enum Command {
         // They concern pictures alone, and are accepted because they may precede the command.
         mut_arg("samples", |arg| arg.hide(true)),
         mut_arg("cells", |arg| arg.hide(true)),
+        mut_arg("dome", |arg| arg.hide(true)),
         mut_arg("stars", |arg| arg.hide(true)),
         after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes (outward, toward \
                             increasing theta, toward increasing phi), of any nonzero length. A header line is optional.\n\nThe output has one \

@@ -1,9 +1,11 @@
 //! What `lightfall render` checks before it draws: files and memory.
 
+use super::cube::{drawn_at_once, files_of, is_of_side};
 use super::large::Tiling;
 use super::pictures::Pictures;
+use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::stop::Stop;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{Channels, ExrForm, Format, Frames, PictureError, Sequence};
 use lightfall_platform::memory::free_memory;
@@ -27,27 +29,40 @@ const STRIP_ROWS: u64 = 512;
 /// blocks: so many copies of their values, measured and rounded up.
 const COPIES_OF_VALUES: u64 = 6;
 
+/// The sides of a cube exist as themselves, joined and encoded.
+const COPIES_OF_SIDES: u64 = 3;
+
 /// Checks that there is memory for a picture, before minutes are spent on it.
 pub(super) fn check_memory(
-    scene: &Scene,
-    format: Format,
+    pictures: &Pictures,
     (channels, form): (&Channels, ExrForm),
     tiling: Option<&Tiling>,
 ) -> Result<(), Stop> {
-    let size = scene.picture.size();
+    let Pictures { scene, format, .. } = pictures;
+    let drawn = drawn_at_once(scene).picture.size();
     let values = match format {
         Format::Exr => channels.list().len(),
         Format::Png | Format::Apng => 0,
     };
     let per_pixel = VALUE_BYTES * values as u64;
-    let columns = u64::from(size.x);
+    let columns = u64::from(drawn.x);
     let needed = if tiling.is_some_and(|tiling| tiling.tiles.count() > 1) {
         let rows = u64::from(picture::rows_at_once(form.compression));
         let encoded = COPIES_OF_VALUES * columns * rows * per_pixel;
         PROGRAM_BYTES + TILES_BYTES + columns * STRIP_ROWS * STRIP_PIXEL_BYTES + encoded
     } else {
-        PROGRAM_BYTES + columns * u64::from(size.y) * (PIXEL_BYTES + per_pixel)
+        PROGRAM_BYTES + columns * u64::from(drawn.y) * (PIXEL_BYTES + per_pixel)
     };
+    // The sides of a cube in one file are kept until all of them are drawn.
+    let size = scene.picture.size();
+    let is_joined = scene.camera.projection == Projection::Cube && !is_of_side(&pictures.file);
+    let kept = if is_joined {
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        COPIES_OF_SIDES * pixels * (picture::LIGHT_BYTES as u64 + per_pixel)
+    } else {
+        0
+    };
+    let needed = needed + kept;
     let (channels, or_fewer) = match values {
         0 => (String::new(), ""),
         _ => (
@@ -129,6 +144,51 @@ pub(super) fn check_times_file(file: &Path, picture: &Path) -> Result<(), Stop> 
     storage::check_writable(file).map_err(Stop::failed)
 }
 
+/// Checks that the projection of the scene's picture goes with its size, its file and the options.
+pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), Stop> {
+    let (projection, size) = (scene.camera.projection, scene.picture.size());
+    if args.scene.dome && projection == Projection::Fisheye && size.x != size.y {
+        return Err(Stop::refused(format!(
+            "--size: the picture for a dome is a square, such as 2048x2048, and not {}x{}",
+            size.x, size.y
+        )));
+    }
+    if let Some(reason) = projection.refused_size(size) {
+        let origin = match args.size {
+            Some(_) => "--size",
+            None => "camera.projection",
+        };
+        return Err(Stop::refused(format!(
+            "{origin}: {reason}; --size gives another"
+        )));
+    }
+    if args.scene.cells == Some(Cells::On) && projection != Projection::Perspective {
+        return Err(Stop::refused(format!(
+            "--cells on: only perspective pictures are shown in cells, and camera.projection is {:?}",
+            projection.word()
+        )));
+    }
+    if args.timings.is_some() && projection == Projection::Cube {
+        return Err(Stop::refused(
+            "--timings: the six sides of a cube are drawn one after another, which is not timed",
+        ));
+    }
+    if !is_of_side(&args.out) {
+        return Ok(());
+    }
+    if projection != Projection::Cube {
+        return Err(Stop::refused(
+            "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
+        ));
+    }
+    if Format::of(&args.out)? == Format::Apng {
+        return Err(Stop::refused(
+            "-o: {face} stands for files of pictures: the name must end in .png or .exr",
+        ));
+    }
+    Ok(())
+}
+
 /// Checks that every picture can be written, before any work is done for one that could not be, and
 /// returns their format.
 pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {
@@ -136,14 +196,18 @@ pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<For
     match sequence {
         Some(sequence) if format != Format::Apng => {
             let Frames { first, last } = sequence.frames;
-            picture::check_path(&sequence.file(first))?;
-            for number in first..=last {
-                storage::check_name(&sequence.file(number))?;
+            for file in files_of(&sequence.file(first)) {
+                picture::check_path(&file)?;
+            }
+            for file in (first..=last).flat_map(|number| files_of(&sequence.file(number))) {
+                storage::check_name(&file)?;
             }
         }
         // One file, which holds the frames of a sequence, too.
         _ => {
-            picture::check_path(out)?;
+            for file in files_of(out) {
+                picture::check_path(&file)?;
+            }
         }
     }
     Ok(format)

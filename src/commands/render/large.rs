@@ -1,10 +1,13 @@
-//! Pictures that are drawn in tiles: those too large to be drawn at once, and PNGs with 16 bits.
+//! Pictures that are drawn in tiles: those too large to be drawn at once, PNGs with 16 bits, and the sides
+//! of cubes.
 
+use super::cube::{drawn_at_once, pictures_at_once};
 use super::pictures::Pictures;
 use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use glam::UVec2;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Projection, Scene};
 use lightfall_picture::{Format, HeadlessOptions, MAX_UNTILED_PIXELS, PngBits, Tiles, png_sweeps};
 use lightfall_platform::log::say;
 
@@ -30,10 +33,12 @@ pub(super) fn tiling(
         )));
     }
     let bits = bits.unwrap_or_default();
-    let size = scene.picture.size();
-    let is_long = size.max_element() > MAX_PICTURE_SIDE;
+    let is_cube = scene.camera.projection == Projection::Cube;
+    // Of a cube, each side has tiles of its own.
+    let size = drawn_at_once(scene).picture.size();
+    let is_long = |size: UVec2| size.max_element() > MAX_PICTURE_SIDE;
     if format == Format::Apng {
-        return if is_long {
+        return if is_long(scene.picture.size()) {
             let what = if args.size.is_some() {
                 "--size"
             } else {
@@ -44,13 +49,17 @@ pub(super) fn tiling(
                  pictures may be larger"
             )))
         } else {
-            Ok(None)
+            Ok(is_cube.then_some(Tiling {
+                tiles: Tiles::one(size),
+                bits,
+            }))
         };
     }
-    let has_cells = !scene.picture.bypass && format == Format::Png;
+    let is_long = is_long(size);
+    let has_cells = scene.has_cells() && format == Format::Png;
     let pixels = u64::from(size.x) * u64::from(size.y);
     let is_large = is_long || pixels > MAX_UNTILED_PIXELS && !has_cells;
-    if !is_large && bits == PngBits::Eight {
+    if !is_large && !is_cube && bits == PngBits::Eight {
         return Ok(None);
     }
     if args.timings.is_some() && is_large {
@@ -99,10 +108,10 @@ impl Tiling {
         }
     }
 
-    /// How often the tiles of each picture are drawn.
+    /// How often the tiles of each picture are drawn, or those of each side of a cube.
     pub(super) fn sweeps(&self, pictures: &Pictures) -> impl Iterator<Item = usize> {
         pictures.numbers().map(move |number| match pictures.format {
-            Format::Png => png_sweeps(&pictures.get(number).0, &self.tiles),
+            Format::Png => png_sweeps(&drawn_at_once(&pictures.get(number).0), &self.tiles),
             Format::Apng | Format::Exr => 1,
         })
     }
@@ -110,7 +119,7 @@ impl Tiling {
     /// The progress of the pictures: one unit for each tile and sweep.
     pub(super) fn progress(&self, pictures: &Pictures) -> Progress {
         let sweeps: usize = self.sweeps(pictures).sum();
-        let units = (sweeps * self.tiles.count()) as f64;
+        let units = (sweeps * pictures_at_once(&pictures.scene) * self.tiles.count()) as f64;
         Progress::new("render", units, (0.02 * units).max(1.0))
     }
 }

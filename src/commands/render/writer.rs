@@ -5,7 +5,7 @@ use super::pictures::drawn_scene;
 use crate::commands::circumstances::commit;
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{
     Animation, Captured, Channels, ExrForm, Format, LargePicture, Linear, PictureError, PixelRays,
@@ -38,7 +38,10 @@ pub(super) struct PictureWriter {
 impl PictureWriter {
     pub(super) fn write(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
         if let Some(tiling) = self.tiling {
-            return self.write_large(scene, file, tiling);
+            return match scene.camera.projection {
+                Projection::Cube => self.write_cube(scene, file, tiling),
+                _ => self.write_large(scene, file, tiling),
+            };
         }
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn)?;
@@ -62,21 +65,21 @@ impl PictureWriter {
     }
 
     /// Draws a picture in tiles and writes it.
-    fn write_large(&mut self, scene: &Scene, file: &Path, tiling: Tiling) -> Result<(), Stop> {
+    pub(super) fn write_large(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        tiling: Tiling,
+    ) -> Result<(), Stop> {
         let drawn = picture::exposed(scene)?;
         let mut scene = scene.clone();
         scene.picture.exposure_ev = drawn.picture.exposure_ev;
         let record = self.studio.record(&scene);
-        let task = file.display().to_string();
-        let progress = &mut self.progress;
+        let on_tile = &mut on_tile(&mut self.progress, file);
         let mut large = LargePicture {
             scene: &drawn,
             tiles: tiling.tiles,
-            on_tile: &mut || {
-                if let Some(progress) = progress {
-                    progress.advance(task.clone(), 1.0);
-                }
-            },
+            on_tile,
         };
         if self.format == Format::Png {
             let path = (file, tiling.bits);
@@ -95,6 +98,7 @@ impl PictureWriter {
             scene: &scene,
             record,
             light: Captured::empty(),
+            first_row: 0,
             channels: &self.channels,
             samples: Vec::new(),
             form: self.form,
@@ -104,7 +108,12 @@ impl PictureWriter {
         Ok(large.write_exr(&mut self.studio, file, &about, rays)?)
     }
 
-    fn add_frame(&mut self, scene: &Scene, file: &Path, still: &Still) -> Result<(), PictureError> {
+    pub(super) fn add_frame(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        still: &Still,
+    ) -> Result<(), PictureError> {
         let animation = match &mut self.animation {
             Some(animation) => animation,
             none => {
@@ -123,21 +132,36 @@ impl PictureWriter {
         } else {
             Vec::new()
         };
-        let samples = if self.channels.list().is_empty() {
-            Vec::new()
-        } else {
-            let rays = match &mut self.rays {
-                Some(rays) => rays,
-                none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
-            };
-            rays.sample(scene, &self.channels, &depth)
-                .map_err(Stop::failed)?
+        let samples = self.samples(scene, &depth)?;
+        self.write_linear(scene, file, (light, samples))
+    }
+
+    /// The numbers of the channels of a scene's picture, which has this depth.
+    pub(super) fn samples(&mut self, scene: &Scene, depth: &[f32]) -> Result<Vec<Vec<f32>>, Stop> {
+        if self.channels.list().is_empty() {
+            return Ok(Vec::new());
+        }
+        let rays = match &mut self.rays {
+            Some(rays) => rays,
+            none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
         };
+        rays.sample(scene, &self.channels, depth)
+            .map_err(Stop::failed)
+    }
+
+    /// Writes the light and the numbers of the channels of a scene's picture.
+    pub(super) fn write_linear(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        (light, samples): (Captured, Vec<Vec<f32>>),
+    ) -> Result<(), Stop> {
         let commit = commit();
         let picture = Linear {
             scene,
             record: self.studio.record(scene),
             light,
+            first_row: 0,
             channels: &self.channels,
             samples,
             form: self.form,
@@ -145,5 +169,15 @@ impl PictureWriter {
             fps: self.fps,
         };
         Ok(picture::write_exr(file, picture)?)
+    }
+}
+
+/// What notes that a tile of a file's picture is drawn.
+pub(super) fn on_tile(progress: &mut Option<Progress>, file: &Path) -> impl FnMut() {
+    let task = file.display().to_string();
+    move || {
+        if let Some(progress) = progress {
+            progress.advance(task.clone(), 1.0);
+        }
     }
 }

@@ -11,7 +11,7 @@ use lightfall_core::gpu::{
     GpuJetWaves, GpuObserver, GpuPatterns, GpuPicture, GpuQuality, GpuRing, GpuScene, GpuShadow,
     GpuSky, GpuStructure, Presentation, Print, Variant,
 };
-use lightfall_core::scene::{DiskStructure, HotSpotKind, Projection, Scene};
+use lightfall_core::scene::{DiskStructure, HotSpotKind, Scene};
 use naga::{Module, TypeInner};
 
 fn parsed(source: String) -> Module {
@@ -158,7 +158,7 @@ fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
 fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
     let module = parsed(StarKernel::Solve.source(&Scene::default()));
     assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
-    let module = parsed(candidate_shader(Projection::Perspective).source());
+    let module = parsed(candidate_shader().source());
     assert_same_layout!(
         &module,
         GpuStarMesh = "StarMesh",

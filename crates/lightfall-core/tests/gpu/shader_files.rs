@@ -6,10 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A copy of the folder of shaders that a test may change.
-pub(crate) struct Folder(PathBuf);
+struct Folder(PathBuf);
 
 impl Folder {
-    pub(crate) fn new(name: &str) -> Self {
+    fn new(name: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let _ = fs::remove_dir_all(&folder);
         copy(
@@ -27,12 +27,7 @@ impl Folder {
         fs::write(path, text.replace(from, to)).unwrap();
     }
 
-    /// Replaces a file's text.
-    pub(crate) fn replace(&self, file: &str, text: &str) {
-        fs::write(self.0.join(file), text).unwrap();
-    }
-
-    pub(crate) fn files(&self) -> ShaderFiles {
+    fn files(&self) -> ShaderFiles {
         ShaderFiles::read(&self.0).unwrap()
     }
 

@@ -57,10 +57,12 @@ pub fn other_shaders() -> Vec<(ShaderText, &'static [&'static str])> {
         (one, &["edges"]),
         (four, &["edges"]),
         (
-            candidate_shader(Projection::Perspective),
+            candidate_shader(),
             &["find_candidates", "find_wide_candidates", "test_candidates"],
         ),
         (splat_shader(Projection::Perspective), &["splat"]),
+        (splat_shader(Projection::Fisheye), &["splat"]),
+        (splat_shader(Projection::Equirectangular), &["splat"]),
         (Accumulation::shader(), &["vertex", "accumulate"]),
         (
             Bloom::shader(),

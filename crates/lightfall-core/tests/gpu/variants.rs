@@ -3,7 +3,8 @@
 
 use lightfall_core::gpu::{Entry, Tracer, Variant};
 use lightfall_core::scene::{
-    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Projection, Scene,
+    SkyMode, View,
 };
 
 /// Every variant that a scene can ask for, with two exceptions: sets of effects with some
@@ -28,7 +29,11 @@ pub fn every_variant() -> Vec<Variant> {
         (scene.method, scene.hole.spin) = (method, spin);
         (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
         all.extend([Variant::rays(&scene), Variant::timed(&scene)]);
-        all.extend(Variant::star_kernels(&scene));
+        for projection in Projection::ALL {
+            scene.camera.projection = projection;
+            all.extend(Variant::star_kernels(&scene));
+        }
+        scene.camera.projection = Projection::Perspective;
         for mode in SkyMode::ALL {
             scene.sky.mode = mode;
             all.push(Variant::timed_light(&scene));
@@ -67,6 +72,12 @@ pub fn every_variant() -> Vec<Variant> {
             ..*variant
         };
         all.extend(shining.iter().map(modelled));
+    }
+    for projection in Projection::ALL {
+        all.extend(shining.iter().map(|variant| Variant {
+            projection: projection.of_picture(),
+            ..*variant
+        }));
     }
     for hot_spot in HotSpotKind::ALL {
         all.extend(shining.iter().map(|variant| Variant {

@@ -35,6 +35,7 @@ mod moved_camera;
 mod observer;
 mod path;
 mod pixel_samples;
+mod projections;
 mod random;
 mod ray_plane;
 mod readout;

@@ -26,6 +26,7 @@ fn other_values(field: &Field) -> Vec<Value> {
             .map(|text| Value::Text(text.into()))
             .to_vec(),
         Kind::Velocity => vec![Value::Velocity([0.1, -0.2, 0.3])],
+        Kind::Pair => vec![Value::Pair([0.1, -0.2])],
     };
     let allowed = |value: &Value| {
         let number = value.number();
@@ -86,6 +87,7 @@ fn a_value_of_another_kind_is_refused_by_every_field() {
             Value::Word("no word"),
             Value::Text("text".into()),
             Value::Velocity([0.0; 3]),
+            Value::Pair([0.0; 2]),
         ];
         for value in values {
             let same_kind = std::mem::discriminant(&value) == std::mem::discriminant(&own);

@@ -1,6 +1,6 @@
 //! What a preset may contain, and the one sentence that refuses everything else.
 
-use lightfall_core::scene::{Method, ObserverKind, Override, Scene, load};
+use lightfall_core::scene::{Method, ObserverKind, Override, Projection, Scene, load};
 
 fn preset(text: &str) -> String {
     load("my.toml", text, &[]).unwrap_err().to_string()
@@ -214,7 +214,7 @@ fn an_unknown_field_is_refused_with_the_nearest_name() {
         ("methd", "did you mean method?"),
         (
             "camera.radius",
-            "camera has r, theta_deg, phi_deg, fov_deg, yaw_deg, pitch_deg, roll_deg",
+            "camera has r, theta_deg, phi_deg, fov_deg, yaw_deg, pitch_deg, roll_deg, tilt_deg, projection, fisheye_deg, circle, shift",
         ),
         ("weather", "`lightfall presets show 2` lists them all"),
     ] {
@@ -344,4 +344,34 @@ fn an_override_cannot_smuggle_in_a_second_field() {
         set("camera.r=20\nhole.spin = 0.5")
             .contains("camera.r = \"20\\nhole.spin = 0.5\" is refused")
     );
+}
+
+#[test]
+fn a_pair_of_numbers_is_read_as_toml_or_as_people_write_it() {
+    let shift = |set: &str| with("", &[set]).unwrap().camera.shift;
+    assert_eq!(shift("camera.shift=[0.25, -1]"), [0.25, -1.0]);
+    assert_eq!(shift("camera.shift=.25,-1"), [0.25, -1.0]);
+    for wrong in ["1", "1,2,3", "11,0", "nan,0", "a,b", "true"] {
+        let refusal = set(&format!("camera.shift={wrong}"));
+        assert!(
+            refusal.contains("two numbers, [to the right, upward], from -10 to 10 picture heights"),
+            "{refusal}"
+        );
+    }
+}
+
+#[test]
+fn every_projection_is_read_by_its_word_and_no_other_is() {
+    for projection in Projection::ALL {
+        let scene = with("", &[&format!("camera.projection={}", projection.word())]).unwrap();
+        assert_eq!(scene.camera.projection, projection);
+        // What a picture holds is read back as the same scene.
+        assert_eq!(with(&scene.to_preset(), &[]).unwrap(), scene);
+    }
+    assert!(
+        set("camera.projection=fish")
+            .contains("one of perspective, fisheye, equirectangular, cube")
+    );
+    assert!(set("camera.fisheye_deg=0.5").contains("from 1 to 360 degrees"));
+    assert!(set("camera.circle=4.1").contains("from 0.5 to 4"));
 }

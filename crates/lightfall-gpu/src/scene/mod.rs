@@ -26,7 +26,7 @@ use super::error::GpuError;
 use encase::ShaderType;
 use glam::{DMat3, UVec2};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::scene::{Frame, Method, Scene, View};
+use lightfall_model::scene::{Frame, Method, Projection, Scene, View};
 use lightfall_optics::camera_rays::CameraRays;
 
 /// A scene in the GPU's numbers.
@@ -97,6 +97,19 @@ fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
     }
     if !method.spins && kerr.spin != 0.0 && scene.effects.lensing {
         return Err(GpuError::Spin(kerr.spin));
+    }
+    let projection = scene.camera.projection;
+    let is_shifted = scene.camera.shift != [0.0; 2];
+    let has_picture = match projection {
+        Projection::Perspective => !is_shifted,
+        Projection::Cube => true,
+        Projection::Fisheye | Projection::Equirectangular => false,
+    };
+    if scene.probe.enabled && !has_picture {
+        return Err(GpuError::Probe {
+            projection,
+            shifted: projection == Projection::Perspective,
+        });
     }
     if cfg!(target_arch = "wasm32") && scene.view == View::Error {
         return Err(GpuError::ErrorsInBrowser);

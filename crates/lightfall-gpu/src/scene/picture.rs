@@ -26,6 +26,7 @@ pub struct GpuPicture {
     pub offset: Vec2,
     pub footprint: f32,
     pub middle_solid_angle: f32,
+    pub axis: Vec2,
 }
 
 impl GpuPicture {
@@ -44,7 +45,8 @@ impl GpuPicture {
             offset: ((pixel_offset(frame.sample) * PLACES_PER_PIXEL).round() / PLACES_PER_PIXEL)
                 .as_vec2(),
             footprint: f64::from(frame.samples.max(1)).sqrt().recip() as f32,
-            middle_solid_angle: scene.camera.solid_angle(0.5 * whole, whole) as f32,
+            middle_solid_angle: scene.camera.solid_angle(scene.camera.axis(whole), whole) as f32,
+            axis: scene.camera.axis_across(whole).as_vec2(),
         }
     }
 }

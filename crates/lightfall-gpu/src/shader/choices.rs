@@ -26,6 +26,11 @@ impl Variant {
         let mut choices: Vec<_> = files.into_iter().map(Choice::of).collect();
         choices.extend(self.sky_files());
         choices.push(projection_file(self.projection));
+        choices.push(Choice::of(if self.on_sides {
+            "stars/sides/cube.wgsl"
+        } else {
+            "stars/sides/picture.wgsl"
+        }));
         choices
     }
 
@@ -228,7 +233,7 @@ impl Tracer {
 
 /// The file that takes a pixel to a direction and back.
 pub(crate) fn projection_file(projection: Projection) -> Choice {
-    Choice::of(file("projection", projection.word()))
+    Choice::of(file("projection", projection.of_picture().word()))
 }
 
 /// The file of a word in a folder below shaders/.

@@ -19,6 +19,7 @@ pub(super) use choices::projection_file;
 pub use entry::Entry;
 pub use fault::ShaderFault;
 pub use files::ShaderFiles;
+pub(super) use link::Choice;
 pub use text::ShaderText;
 pub use tracer::Tracer;
 
@@ -40,6 +41,9 @@ pub struct Variant {
     pub entry: Entry,
     /// The projection of its pixels.
     pub projection: Projection,
+    /// Whether it looks for images of stars on the sides of a cube about the camera, in place of the
+    /// picture itself.
+    pub on_sides: bool,
     /// Its tracing method.
     pub tracer: Tracer,
     /// Whether the hole spins.
@@ -149,7 +153,8 @@ impl Variant {
             || scene.disk.enabled && scene.view.properties().delays;
         Self {
             entry: Entry::Picture,
-            projection: scene.camera.projection(),
+            projection: scene.camera.projection.of_picture(),
+            on_sides: false,
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: passes_near_horizon(tracer, scene),

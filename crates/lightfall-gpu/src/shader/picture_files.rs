@@ -3,7 +3,7 @@
 
 use super::Variant;
 use lightfall_model::scene::{
-    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection, Scene, SkyMode, View,
 };
 use std::collections::BTreeSet;
 
@@ -58,6 +58,9 @@ impl Variant {
                 }
             }
             add(&|scene| scene.sky.reference_star = true);
+            for projection in Projection::ALL {
+                add(&|scene| scene.camera.projection = projection);
+            }
             add(&|scene| scene.effects.lensing = false);
             add(&|scene| scene.picture.antialias = false);
             scenes

@@ -2,7 +2,7 @@
 
 use super::{Entry, Tracer, Variant};
 use crate::stars::StarKernel;
-use lightfall_model::scene::{Method, Scene, View};
+use lightfall_model::scene::{Method, Projection, Scene, View};
 
 impl Variant {
     /// The shader of a kernel of stars, unless it is the same for all scenes.
@@ -35,7 +35,11 @@ impl Variant {
             }
             StarKernel::Dim => Some(through_disk),
             StarKernel::TraceMesh | StarKernel::Interpolate | StarKernel::RefineImage => {
-                Some(to_sky)
+                Some(Self {
+                    projection: Projection::Perspective,
+                    on_sides: to_sky.projection != Projection::Perspective,
+                    ..to_sky
+                })
             }
             // The inversion is the same for all scenes with the same effects.
             StarKernel::Solve => Some(Self {

@@ -68,6 +68,11 @@ impl StarKernel {
         })
     }
 
+    /// Whether it runs for every picture that has a mesh.
+    pub fn is_of_mesh(self) -> bool {
+        !matches!(self, Self::Solve | Self::Dim | Self::Splat)
+    }
+
     /// Its WGSL text.
     pub fn source(self, scene: &Scene) -> String {
         self.text(scene).source()
@@ -75,11 +80,11 @@ impl StarKernel {
 
     /// Its WGSL text, by its parts.
     pub fn text(self, scene: &Scene) -> ShaderText {
-        let projection = scene.camera.projection();
+        let projection = scene.camera.projection.of_picture();
         match Variant::of_kernel(self, scene) {
             Some(variant) => variant.text(),
             None if self == Self::Splat => splat_shader(projection),
-            None => candidate_shader(projection),
+            None => candidate_shader(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::list::PackedStars;
 use super::numbers::stretch;
-use super::{COUNT_SIZE, EMPTY_COUNT};
+use super::{COUNT_SIZE, EMPTY_COUNT, StarSide};
 use encase::ShaderType;
 use glam::{DMat3, UVec2, Vec2, Vec3};
 use lightfall_model::scene::Scene;
@@ -36,6 +36,9 @@ pub struct GpuStarMesh {
     pub half_step: f32,
     pub list_z: Vec3,
     pub capacity: u32,
+    pub picture_right: Vec3,
+    pub picture_up: Vec3,
+    pub picture_forward: Vec3,
 }
 
 /// Mirror of `MeshPoint` in shaders/stars/mesh_points.wgsl.
@@ -81,6 +84,21 @@ impl GpuStarMesh {
             half_step: (angle / pixel) as f32,
             list_z,
             capacity: list.max_candidates(),
+            picture_right: Vec3::X,
+            picture_up: Vec3::Y,
+            picture_forward: Vec3::Z,
+        }
+    }
+
+    /// The numbers for a mesh through a side, whose scene the others are for.
+    #[must_use]
+    pub fn on_side(self, side: &StarSide) -> Self {
+        let row = |i: usize| side.picture_from_side.row(i).as_vec3();
+        Self {
+            picture_right: row(0),
+            picture_up: row(1),
+            picture_forward: row(2),
+            ..self
         }
     }
 }

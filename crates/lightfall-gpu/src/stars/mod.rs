@@ -11,6 +11,8 @@
 //!    [`Variant::uses_star_mesh`](super::Variant::uses_star_mesh), a mesh of rays finds them instead:
 //!    `trace_mesh` traces it, `find_candidates`, `find_wide_candidates` and `test_candidates` list the
 //!    stars that may have an image in each cell, and `interpolate` and `refine_image` find the images.
+//!    In other projections than the perspective one, this is done for each [`StarSide`] in turn, with
+//!    the scene and the mesh of that side, and [`empty_candidate_count`] before each.
 //! 2. `dim` dims the images behind the disk, if there is one.
 //! 3. `splat` adds the light of the images to `STAR_SUMS`. The light on the square (x, y) of
 //!    [`sums_side`] pixels each way, linear and before exposure, is the three numbers from
@@ -27,6 +29,7 @@ mod list;
 mod mesh;
 mod numbers;
 mod shader;
+mod sides;
 mod sums;
 
 pub use index::index_bytes;
@@ -38,6 +41,7 @@ pub use mesh::{
 };
 pub use numbers::{GpuStarImage, GpuStars, light_unit, table_rows};
 pub use shader::{candidate_shader, splat_shader};
+pub use sides::StarSide;
 pub use sums::{sums_side, sums_size};
 
 pub(super) use shader::add_star_constants;

@@ -6,7 +6,7 @@ use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
 use super::mesh::{CANDIDATE_LISTS, MESH_RIM, RANKS, TEST_GROUPS, WIDE_GROUPS};
 use crate::shader::spectrum_constants::add_spectrum_constants;
 use crate::shader::text::{add_constant, add_f32, add_u32};
-use crate::shader::{ShaderText, projection_file};
+use crate::shader::{Choice, ShaderText, projection_file};
 use lightfall_model::scene::Projection;
 use lightfall_optics::spectrum::rgb_from_xyz;
 use lightfall_optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVALS};
@@ -18,12 +18,17 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
     let entry = StarKernel::Splat.word();
-    ShaderText::new(prelude, &[entry], vec![projection_file(projection)])
+    let splat = Choice::of(match projection.of_picture() {
+        Projection::Perspective => "stars/splat.wgsl",
+        _ => "stars/splat_on_sky.wgsl",
+    });
+    ShaderText::new(prelude, &[entry], vec![projection_file(projection), splat])
 }
 
 /// The shader that looks for the stars in each cell of the mesh: entry points `find_candidates`,
-/// `find_wide_candidates` and `test_candidates`. It is the same for all scenes with the same projection.
-pub fn candidate_shader(projection: Projection) -> ShaderText {
+/// `find_wide_candidates` and `test_candidates`. It is the same for all scenes, because a mesh covers a
+/// perspective picture.
+pub fn candidate_shader() -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
@@ -33,7 +38,8 @@ pub fn candidate_shader(projection: Projection) -> ShaderText {
     add_u32(&mut prelude, "WIDE_GROUPS", WIDE_GROUPS);
     add_u32(&mut prelude, "TEST_GROUPS", TEST_GROUPS);
     let entries = StarKernel::FINDING_CANDIDATES.map(StarKernel::word);
-    ShaderText::new(prelude, &entries, vec![projection_file(projection)])
+    let perspective = projection_file(Projection::Perspective);
+    ShaderText::new(prelude, &entries, vec![perspective])
 }
 
 /// Appends the constants of the kernels.

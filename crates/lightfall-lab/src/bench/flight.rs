@@ -127,7 +127,7 @@ pub fn run_flights(
 fn attitude(ship: &Ship, scene: &Scene) -> Result<DMat3, FlightFault> {
     let mut scene = scene.clone();
     write_scene(ship, &Mount::NOSE, &mut scene)?;
-    Ok(scene.camera.tetrad_from_camera() * Mount::NOSE.0.transpose())
+    Ok(scene.camera.heading() * Mount::NOSE.0.transpose())
 }
 
 fn measured(spin: f64, r: f64, tolerance: f64) -> Result<FlightMeasurement, FlightFault> {

@@ -25,7 +25,7 @@ impl Camera {
         [self.theta_deg, self.phi_deg].map(f64::to_radians)
     }
 
-    /// How far it is turned: yaw, pitch and roll, in degrees.
+    /// How far it is turned before the tilt: yaw, pitch and roll, in degrees.
     pub fn angles(&self) -> [f64; 3] {
         [self.yaw_deg, self.pitch_deg, self.roll_deg]
     }
@@ -35,18 +35,28 @@ impl Camera {
     ///
     /// Without turns the camera looks at the hole: forward is inward, up is decreasing theta, right
     /// is growing phi. It is turned about its own axes: to the right, then up, then clockwise as
-    /// seen from behind it.
+    /// seen from behind it, and at last up by the tilt.
     pub fn tetrad_from_camera(&self) -> DMat3 {
+        let [right, up, forward] = self.heading().to_cols_array_2d().map(DVec3::from_array);
+        let (forward, up) = turn(sin_cos_deg(self.tilt_deg), forward, up);
+        DMat3::from_cols(right, up, forward)
+    }
+
+    /// The axes right, up, forward before the tilt: those of the camera's flight, which the tilt of
+    /// its picture leaves as they are.
+    pub fn heading(&self) -> DMat3 {
         let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(sin_cos_deg);
         let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];
-        let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| {
-            (cos * to + sin * from, cos * from - sin * to)
-        };
         let (forward, right) = turn(yaw, forward, right);
         let (forward, up) = turn(pitch, forward, up);
         let (up, right) = turn(roll, up, right);
         DMat3::from_cols(right, up, forward)
     }
+}
+
+/// Two axes, turned from the first toward the second by the angle with this sine and cosine.
+fn turn((sin, cos): (f64, f64), first: DVec3, second: DVec3) -> (DVec3, DVec3) {
+    (cos * first + sin * second, cos * second - sin * first)
 }
 
 impl Scene {

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::error::Refusal;
-use super::range::{Kind, MAX_TEXT_CHARS, Range};
+use super::range::{Kind, MAX_PAIR, MAX_TEXT_CHARS, Range};
 use super::value::Value;
 use crate::words::without_full_stop;
 
@@ -81,6 +81,7 @@ impl Field {
                 text.chars().count() <= MAX_TEXT_CHARS && !text.chars().any(char::is_control)
             }
             (Kind::Velocity, Value::Velocity(v)) => v.iter().map(|v| v * v).sum::<f64>() < 1.0,
+            (Kind::Pair, Value::Pair(numbers)) => numbers.iter().all(|x| x.abs() <= MAX_PAIR),
             _ => false,
         };
         if fits {

@@ -1,7 +1,7 @@
 //! The frame: what is drawn of a scene at one moment. The scene says what was chosen; size, part,
 //! cells, sample, metered exposure and the disk's time belong to the frame.
 
-use super::Scene;
+use super::{Picture, Projection, Scene};
 use glam::UVec2;
 
 /// A part of a picture, in pixels of the whole one.
@@ -10,7 +10,8 @@ pub struct Part {
     /// Its upper left corner. Both numbers are even, so that the part has the pairs of neighbouring
     /// pixels that the whole picture has.
     pub origin: UVec2,
-    /// Its width and height.
+    /// Its width and height. In a projection whose columns go around the whole sky, the first column
+    /// follows the last one.
     pub size: UVec2,
 }
 
@@ -21,6 +22,21 @@ impl Part {
         Self {
             origin: UVec2::ZERO,
             size,
+        }
+    }
+}
+
+impl Scene {
+    /// Whether the picture is shown in cells: only perspective pictures are.
+    pub fn has_cells(&self) -> bool {
+        !self.picture.bypass && self.camera.projection == Projection::Perspective
+    }
+
+    /// The picture as it is shown: without cells where its projection has none.
+    pub fn shown_picture(&self) -> Picture {
+        Picture {
+            bypass: !self.has_cells(),
+            ..self.picture
         }
     }
 }
@@ -115,6 +131,7 @@ impl Frame {
         (picture.width, picture.height) = self.whole.into();
         (picture.grid_width, picture.grid_height) = self.cells.into();
         shown.picture.exposure_ev = self.exposure_ev;
+        shown.picture.bypass = !scene.has_cells();
         shown.disk.time = self.disk_time;
         shown
     }

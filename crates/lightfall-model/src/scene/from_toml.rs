@@ -25,6 +25,7 @@ impl Field {
             }
             (Kind::Text, toml::Value::String(text)) => Some(Value::Text(text.clone())),
             (Kind::Velocity, toml::Value::Array(components)) => velocity(components),
+            (Kind::Pair, toml::Value::Array(numbers)) => pair(numbers),
             _ => None,
         };
         let typed = typed.ok_or_else(|| self.refusal(given(value)))?;
@@ -48,6 +49,13 @@ fn velocity(components: &[toml::Value]) -> Option<Value> {
     Some(Value::Velocity([float(r)?, float(theta)?, float(phi)?]))
 }
 
+fn pair(numbers: &[toml::Value]) -> Option<Value> {
+    let [right, up] = numbers else {
+        return None;
+    };
+    Some(Value::Pair([float(right)?, float(up)?]))
+}
+
 impl From<Value> for toml::Value {
     fn from(value: Value) -> Self {
         match value {
@@ -57,6 +65,7 @@ impl From<Value> for toml::Value {
             Value::Word(word) => Self::String(word.into()),
             Value::Text(text) => Self::String(text),
             Value::Velocity(components) => Self::Array(components.map(Self::Float).into()),
+            Value::Pair(numbers) => Self::Array(numbers.map(Self::Float).into()),
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::idle::{Idle, Output};
 use super::{
-    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, ObserverKind, Scene, SkyMode,
-    View,
+    AccuracySetting, Content, DiskModel, DiskStructure, HotSpotKind, ObserverKind, Projection,
+    Scene, SkyMode, View,
 };
 use Output::{Linear, Rays, Sequence, Still, Window};
 use glam::DVec3;
@@ -93,6 +93,15 @@ fn setting(scene: &Scene) -> AccuracySetting {
 /// Whether the disk's structure changes neither its light nor its density.
 fn has_no_contrast(scene: &Scene) -> bool {
     scene.disk.contrast == 0.0 && !(scene.has_thick_disk() && scene.disk.lumps > 0.0)
+}
+
+fn is_no_fisheye(scene: &Scene) -> bool {
+    scene.camera.projection != Projection::Fisheye
+}
+
+/// Whether a file of the scene's picture has another projection than the perspective one.
+fn is_not_perspective(scene: &Scene) -> bool {
+    scene.camera.projection != Projection::Perspective
 }
 
 /// Whether the camera is at rest for observers with zero angular momentum, in whose frame nothing is
@@ -330,6 +339,23 @@ pub(super) const RULES: &[Rule] = &[
 
     rule(&[&["picture.width", "picture.height"]], &[Window], always,
         "the window's size decides", ""),
+    rule(&[&["camera.projection", "camera.tilt_deg", "camera.shift"]], &[Rays], always,
+        "rays are given by their directions, and no picture is made", ""),
+    rule(&[&["camera.fov_deg"]], &[Still, Sequence, Linear], is_not_perspective,
+        "only a perspective picture has this field of view", "camera.projection=perspective"),
+    rule(&[&["camera.fov_deg"]], &[Window],
+        |scene| scene.camera.projection.of_picture() != Projection::Perspective,
+        "only a perspective picture has this field of view", "camera.projection=perspective"),
+    rule(&[&["camera.fisheye_deg", "camera.circle"]], ALL, is_no_fisheye,
+        "the picture is no fisheye", "camera.projection=fisheye"),
+    rule(&[&["camera.shift"]], PICTURES,
+        |scene| matches!(scene.camera.projection, Projection::Equirectangular | Projection::Cube),
+        "only perspective and fisheye pictures can be shifted", "camera.projection=fisheye"),
+    rule(&[CELLS, &["picture.levels", "picture.dither"]], &[Window, Still, Sequence], is_not_perspective,
+        "only perspective pictures are shown in cells", "camera.projection=perspective"),
+    rule(&[&["picture.bloom"]], &[Still, Sequence], |scene| scene.camera.projection == Projection::Cube,
+        "the sides of a cube have no bloom, which would end at their edges", "camera.projection=equirectangular"),
+
     rule(&[SCREEN, CELLS], &[Linear], always,
         "linear light is written as it is, before exposure, curve and cells", ""),
     rule(&[&["picture.grid_width"]], &[Window, Still, Sequence], always,

@@ -211,16 +211,18 @@ pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let gently = share * share * (3.0 - 2.0 * share);
     let mix = |a: f64, b: f64| a + (b - a) * gently;
     let (mut from, mut camera) = (*from, *to);
-    let turns: [fn(&mut Camera) -> &mut f64; 4] = [
+    let turns: [fn(&mut Camera) -> &mut f64; 5] = [
         |camera| &mut camera.phi_deg,
         |camera| &mut camera.yaw_deg,
         |camera| &mut camera.pitch_deg,
         |camera| &mut camera.roll_deg,
+        |camera| &mut camera.tilt_deg,
     ];
     // At the end the camera is exactly `to`, without rounding.
     if share < 1.0 {
         camera.r = mix(from.r.ln(), to.r.ln()).exp();
         camera.fov_deg = mix(from.fov_deg, to.fov_deg);
+        camera.fisheye_deg = mix(from.fisheye_deg, to.fisheye_deg);
         camera.theta_deg = mix(from.theta_deg, to.theta_deg);
         for angle in turns {
             let (start, end) = (*angle(&mut from), *angle(&mut camera));

@@ -217,7 +217,7 @@ fn parse(kind: Kind, text: &str) -> toml::Value {
         // People write `.9` and `1.`, which TOML does not accept.
         (Kind::Float(_), None) => text.parse().ok().map(Float),
         // Shells interpret brackets, so `0,0,.5` is accepted as well as `[0, 0, 0.5]`.
-        (Kind::Velocity, None) => {
+        (Kind::Velocity | Kind::Pair, None) => {
             let components = text
                 .trim_start_matches('[')
                 .trim_end_matches(']')

@@ -10,6 +10,7 @@
 
 mod camera;
 mod changes;
+mod cube;
 mod disk_frame;
 mod disk_motion;
 mod edit;
@@ -45,6 +46,7 @@ mod view;
 
 pub use crate::geometry::observer::ObserverKind;
 pub use changes::Changes;
+pub use cube::{CubeLayout, CubeSide};
 pub use error::{Because, Refusal, SceneError, SceneFault};
 pub use field::Field;
 pub use fields::{FIELDS, field};

@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 impl Camera {
     /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward in the
     /// columns of `world_from_camera`. The inverse of [`Camera::direction`], [`Camera::tetrad`] and
-    /// [`Camera::tetrad_from_camera`]. At the poles and looking straight up or down the angles are
+    /// [`Camera::heading`]. At the poles and looking straight up or down the angles are
     /// not unique, and any angles that give the same axes may result.
     pub fn set_pose(&mut self, position: DVec3, world_from_camera: DMat3) {
         self.r = position.length();
@@ -18,16 +18,13 @@ impl Camera {
         self.set_orientation(self.tetrad().transpose() * world_from_camera);
     }
 
-    /// Turns the camera so that its axes right, up, forward on the observer's axes are these
-    /// columns. The inverse of [`Camera::tetrad_from_camera`].
-    pub fn set_orientation(&mut self, tetrad_from_camera: DMat3) {
+    /// Turns the camera so that its axes right, up, forward before the tilt, on the observer's axes,
+    /// are these columns. The inverse of [`Camera::heading`].
+    pub fn set_orientation(&mut self, heading: DMat3) {
         // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing
         // theta.
         let level = |axis: DVec3| DVec3::new(axis.z, -axis.y, -axis.x);
-        let (forward, up) = (
-            level(tetrad_from_camera.z_axis),
-            level(tetrad_from_camera.y_axis),
-        );
+        let (forward, up) = (level(heading.z_axis), level(heading.y_axis));
         let level_length = forward.x.hypot(forward.z);
         // Straight up or down the yaw is free: zero leaves the whole turn to the roll.
         let yaw = if level_length > 1e-12 {

@@ -19,6 +19,8 @@ pub enum Kind {
     Text,
     /// Three finite numbers, the components of a velocity below that of light.
     Velocity,
+    /// Two numbers, to the right and upward, of at most [`MAX_PAIR`].
+    Pair,
 }
 
 impl Kind {
@@ -65,9 +67,17 @@ impl Kind {
             Self::Velocity => {
                 "three numbers, [outward, toward growing theta, toward growing phi], of length below 1 c".into()
             }
+            Self::Pair => {
+                format!("two numbers, [to the right, upward], from -{MAX_PAIR} to {MAX_PAIR}")
+                    + if unit.is_empty() { "" } else { " " }
+                    + unit
+            }
         }
     }
 }
+
+/// The largest size of either number of a pair.
+pub const MAX_PAIR: f64 = 10.0;
 
 /// Maximum number of characters of a text field.
 pub const MAX_TEXT_CHARS: usize = 200;

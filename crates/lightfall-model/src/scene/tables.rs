@@ -15,8 +15,8 @@ use super::range::Range;
 use super::value::FieldValue;
 use super::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_FILE_SIDE,
-    MAX_PICTURE_SIDE, MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, SCHEMA, SkyMode,
-    ToneCurve, View,
+    MAX_PICTURE_SIDE, MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, Projection, SCHEMA,
+    SkyMode, ToneCurve, View,
 };
 
 /// A radius in the disk.
@@ -164,14 +164,26 @@ table! {
         theta_deg: f64 = 80.0, POLAR, "degrees";
         /// Azimuth.
         phi_deg: f64 = 0.0, TURN, "degrees";
-        /// Vertical field of view.
+        /// Vertical field of view of a perspective picture.
         fov_deg: f64 = 60.0, FIELD_OF_VIEW, "degrees";
         /// Turn to the right, away from the hole's centre.
         yaw_deg: f64 = 0.0, TURN, "degrees";
         /// Turn upward, after the yaw.
         pitch_deg: f64 = 0.0, TURN, "degrees";
-        /// Turn clockwise about the line of sight, last.
+        /// Turn clockwise about the line of sight, after the pitch.
         roll_deg: f64 = 0.0, TURN, "degrees";
+        /// Turn upward after the roll, which flying leaves as it is: a dome looks up while its
+        /// audience faces the hole.
+        tilt_deg: f64 = 0.0, TURN, "degrees";
+        /// How the picture shows directions.
+        projection: Projection = Projection::default();
+        /// Field of view of a fisheye picture, across its circle.
+        fisheye_deg: f64 = 180.0, Range::closed(1.0, 360.0), "degrees";
+        /// Diameter of a fisheye picture's circle, as a share of the picture's shorter side.
+        circle: f64 = 1.0, Range::closed(0.5, 4.0), "";
+        /// Where the line of sight crosses a perspective or fisheye picture, from its middle: to the
+        /// right and upward.
+        shift: [f64; 2] = [0.0; 2], Range::FINITE, "picture heights";
     }
 }
 

@@ -20,6 +20,8 @@ pub enum Value {
     Text(String),
     /// The components of a velocity: outward, toward growing theta, toward growing phi; units of c.
     Velocity([f64; 3]),
+    /// Two numbers: to the right and upward.
+    Pair([f64; 2]),
 }
 
 impl Value {
@@ -41,6 +43,7 @@ impl Value {
             Self::Word(word) => quoted(word),
             Self::Text(text) => quoted(text),
             Self::Velocity(components) => format!("[{}]", components.map(number).join(", ")),
+            Self::Pair(numbers) => format!("[{}]", numbers.map(number).join(", ")),
         }
     }
 }
@@ -94,6 +97,7 @@ field_value!(u32, Kind::Integer(Range::FINITE), Integer);
 field_value!(bool, Kind::Boolean, Boolean);
 field_value!(String, Kind::Text, Text);
 field_value!([f64; 3], Kind::Velocity, Velocity);
+field_value!([f64; 2], Kind::Pair, Pair);
 
 impl<T: Words> FieldValue for T {
     const KIND: Kind = Kind::Choice(T::CHOICES);

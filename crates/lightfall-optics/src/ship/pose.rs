@@ -52,7 +52,7 @@ pub fn board(scene: &Scene, mount: &Mount) -> Result<Ship, BoardError> {
     let axes = kind_axes(scene, &place, azimuth)? * boost(momentum(observer.velocity));
     let time = kerr.camera_time_lead(r) - r;
     let mut ship = Ship::new(&place, time, &axes, [min_infall_radius(kerr), MAX_RADIUS])?;
-    ship.turn(camera.tetrad_from_camera() * mount.0.transpose());
+    ship.turn(camera.heading() * mount.0.transpose());
     Ok(ship)
 }
 

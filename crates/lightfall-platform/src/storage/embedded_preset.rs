@@ -1,6 +1,7 @@
 //! The texts inside a picture: every picture that the program writes holds the preset that drew it,
 //! and the rest of its record.
 
+use super::panorama::XMP_KEY;
 use super::picture_record::PictureRecord;
 use std::io::{Cursor, Write};
 
@@ -165,6 +166,9 @@ fn add_record<W: Write>(
     encoder.add_itxt_chunk(PRESET_KEY.into(), record.preset.clone())?;
     for (name, text) in &record.texts {
         encoder.add_itxt_chunk((*name).into(), text.clone())?;
+    }
+    if let Some(panorama) = &record.panorama {
+        encoder.add_itxt_chunk(XMP_KEY.into(), panorama.clone())?;
     }
     Ok(())
 }

@@ -7,6 +7,7 @@ mod file_name;
 mod files;
 mod folders;
 mod opened;
+mod panorama;
 mod picture_record;
 mod scene_source;
 

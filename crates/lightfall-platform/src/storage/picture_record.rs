@@ -2,6 +2,7 @@
 
 use super::embedded_preset::{MAX_PIECE_BYTES, STARS_KEY, embedded_text};
 use super::files::read;
+use super::panorama::panorama;
 use super::scene_source::MAX_PRESET_BYTES;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu::{AdapterName, driver};
@@ -21,6 +22,8 @@ pub struct PictureRecord {
     /// The texts beside the preset, with their names: the version of the program, the list of stars
     /// if the picture shows one, the graphics adapter and its driver. None is longer than 255 bytes.
     pub texts: Vec<(&'static str, String)>,
+    /// For viewers of panoramas, in XMP, if the picture is one.
+    pub panorama: Option<String>,
 }
 
 impl PictureRecord {
@@ -53,6 +56,7 @@ impl PictureRecord {
         Self {
             preset: scene.to_preset(),
             texts: texts.into_iter().filter_map(kept).collect(),
+            panorama: panorama(scene),
         }
     }
 }

@@ -26,8 +26,13 @@ pub(super) struct Drawn {
     pub(super) mesh: Option<MeshLayout>,
     /// The buffers that the kernels write.
     pub(super) buffers: Vec<(u32, Buffer)>,
-    /// The bindings of the kernels, in the order of [`StarKernel::ALL`].
-    pub(super) bind_groups: [Option<BindGroup>; StarKernel::ALL.len()],
+    /// The bindings of the kernels, in the order of [`StarKernel::ALL`]: those of a mesh once for each
+    /// round.
+    pub(super) bind_groups: [Vec<BindGroup>; StarKernel::ALL.len()],
+    /// How many pictures have a mesh: one, or the sides of a cube.
+    pub(super) rounds: usize,
+    /// An empty list of candidates, for each round but the first.
+    pub(super) no_candidates: Buffer,
 }
 
 impl Drawn {
@@ -35,7 +40,7 @@ impl Drawn {
     pub(super) fn new(
         list: Arc<GpuStarList>,
         size: UVec2,
-        mesh: Option<MeshLayout>,
+        (mesh, rounds): (Option<MeshLayout>, usize),
         device: &RenderDevice,
     ) -> Self {
         let mut sizes = vec![
@@ -58,7 +63,14 @@ impl Drawn {
             part: None,
             mesh,
             buffers: buffers.collect(),
-            bind_groups: [const { None }; StarKernel::ALL.len()],
+            bind_groups: [const { Vec::new() }; StarKernel::ALL.len()],
+            rounds,
+            no_candidates: create_buffer(
+                device,
+                "no candidates",
+                CANDIDATE_COUNT_SIZE,
+                BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+            ),
         }
     }
 

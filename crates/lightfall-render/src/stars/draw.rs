@@ -57,9 +57,19 @@ fn draw_stars(
     for (stars, stale) in &waiting {
         stars.clear(*stale, context.command_encoder(), &queue);
     }
-    run_compute_pass(&mut context, "stars", |compute_pass| {
-        for (stars, stale) in &waiting {
-            stars.dispatch(*stale, compute_pass);
+    let rounds = waiting.iter().map(|(stars, stale)| stars.rounds(*stale));
+    for round in 0..rounds.max().unwrap_or(0) {
+        let running = || {
+            let all = waiting.iter();
+            all.filter(|(stars, stale)| round < stars.rounds(*stale))
+        };
+        for (stars, _) in running().filter(|_| round > 0) {
+            stars.clear_candidates(context.command_encoder());
         }
-    });
+        run_compute_pass(&mut context, "stars", |compute_pass| {
+            for (stars, stale) in running() {
+                stars.dispatch((*stale, round), compute_pass);
+            }
+        });
+    }
 }

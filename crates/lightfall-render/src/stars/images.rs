@@ -4,6 +4,7 @@ use super::buffers::Drawn;
 use super::kernels::{StarPipelines, layout};
 use super::list::StarLists;
 use super::ready::{ReadyStars, Stale};
+use super::sides::MeshNumbers;
 use crate::detail_limits::DetailLimits;
 use crate::geodesic::InputBuffers;
 use crate::graphics::{Graphics, create_buffer};
@@ -15,11 +16,9 @@ use lightfall_core::gpu::bindings::{
     THICK_DISK, WAVE_HEIGHTS,
 };
 use lightfall_core::gpu::kernel::table_bytes;
-use lightfall_core::gpu::stars::{
-    GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE, mesh_layout, table_rows,
-};
+use lightfall_core::gpu::stars::{GpuStars, StarKernel, TABLE_SIZE, table_rows};
 use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
-use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
+use lightfall_core::optics::stars::images::Inversion;
 use lightfall_core::optics::stars::{Catalogue, Depth, hole_from_celestial};
 use lightfall_core::scene::{Part, Scene};
 use std::sync::Arc;
@@ -32,7 +31,7 @@ pub(crate) struct SceneStars {
     written: Option<(Scene, DetailLimits, u32)>,
     numbers: UniformBuffer<GpuStars>,
     /// Written where images are found by a mesh.
-    mesh: UniformBuffer<GpuStarMesh>,
+    meshes: MeshNumbers,
     starlight: UniformBuffer<GpuStarlight>,
     table: Buffer,
     /// The list of stars and the buffers that depend on its length or the picture's size.
@@ -49,7 +48,7 @@ impl SceneStars {
         Self {
             written: None,
             numbers: UniformBuffer::from(GpuStars::default()),
-            mesh: UniformBuffer::from(GpuStarMesh::default()),
+            meshes: MeshNumbers::default(),
             starlight: UniformBuffer::from(GpuStarlight::default()),
             table: create_buffer(
                 device,
@@ -114,13 +113,17 @@ impl SceneStars {
         }
         let sky = &scene.sky;
         let turn = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
-        let mesh = Variant::uses_star_mesh(scene).then(|| mesh_layout(scene, MeshLayout::CELLS));
-        if let Some(layout) = &mesh {
+        let (mut mesh, mut rounds) = (None, 1);
+        if Variant::uses_star_mesh(scene) {
+            let Some((layout, meshes)) =
+                self.meshes
+                    .write(scene, (&list.stars, turn), writer.graphics)
+            else {
+                return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
+            };
+            (mesh, rounds) = (Some(layout), meshes);
             self.numbers
                 .set(GpuStars::for_mesh(scene, &list.stars, depth));
-            self.mesh
-                .set(GpuStarMesh::new(scene, layout, &list.stars, turn));
-            self.mesh.write_buffer(device, queue);
         } else {
             let Ok(inversion) = Inversion::new(scene) else {
                 return self.draw_nothing(scene, Depth::NO_POINTS, writer.graphics);
@@ -136,11 +139,13 @@ impl SceneStars {
         self.images_changed.store(true, Ordering::Relaxed);
         let size = scene.picture.size();
         let fits = |drawn: &Drawn| {
-            drawn.size == size && drawn.mesh == mesh && Arc::ptr_eq(&drawn.list, &list)
+            drawn.size == size
+                && (drawn.mesh, drawn.rounds) == (mesh, rounds)
+                && Arc::ptr_eq(&drawn.list, &list)
         };
         let kept = self.drawn.take().filter(fits);
         let is_new = kept.is_none();
-        let mut drawn = kept.unwrap_or_else(|| Drawn::new(list, size, mesh, device));
+        let mut drawn = kept.unwrap_or_else(|| Drawn::new(list, size, (mesh, rounds), device));
         drawn.part = writer.part;
         self.drawn = Some(drawn);
         self.write_part(scene, writer.graphics);
@@ -203,7 +208,15 @@ impl SceneStars {
         if !new_sums && !is_new {
             return false;
         }
-        for kernel in StarKernel::ALL {
+        drawn.bind_groups = [const { Vec::new() }; StarKernel::ALL.len()];
+        let rounds_of = |kernel: StarKernel| if kernel.is_of_mesh() { drawn.rounds } else { 1 };
+        let all: Vec<_> = StarKernel::ALL
+            .into_iter()
+            .flat_map(|kernel| (0..rounds_of(kernel)).map(move |round| (kernel, round)))
+            .collect();
+        for (kernel, round) in all {
+            let side = self.meshes.scene(round).filter(|_| kernel.is_of_mesh());
+            let numbers = side.unwrap_or(numbers);
             // Kernels that the scene does not run have no buffers.
             let bindings = kernel.reads().iter().chain(kernel.writes());
             let entries: Option<Vec<_>> = bindings
@@ -216,7 +229,7 @@ impl SceneStars {
                         }
                         STARS => self.numbers.binding()?,
                         STAR_TABLE => self.table.as_entire_binding(),
-                        STAR_MESH => drawn.mesh.and(self.mesh.binding())?,
+                        STAR_MESH => drawn.mesh.and(self.meshes.mesh(round))?,
                         STAR_LIST => drawn.list.buffer.as_entire_binding(),
                         STAR_INDEX => drawn.list.index(device).as_entire_binding(),
                         _ => drawn.buffer(*binding)?.as_entire_binding(),
@@ -226,8 +239,9 @@ impl SceneStars {
                 })
                 .collect();
             let layout = cache.get_bind_group_layout(&layout(kernel));
-            drawn.bind_groups[kernel as usize] =
+            let group =
                 entries.map(|entries| device.create_bind_group(kernel.word(), &layout, &entries));
+            drawn.bind_groups[kernel as usize].extend(group);
         }
         new_sums
     }

@@ -9,8 +9,9 @@ use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::scene::Projection;
 use std::marker::PhantomData;
 
-/// The first of the shaders of each kind, which have consecutive numbers, one for each projection.
-const CANDIDATE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
+/// The first of the shaders of each kind, which have consecutive numbers, one for each projection
+/// that counts.
+const CANDIDATE_SHADER: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
 const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
 
 /// The pipelines of a scene's stars, in the order of [`StarKernel::ALL`]; `None` where the scene has no
@@ -42,8 +43,8 @@ impl StarPipelines {
             .any(|(kernel, _)| kernel == StarKernel::TraceMesh);
         let finding = by_mesh.then_some(StarKernel::FINDING_CANDIDATES);
         let finding = finding.into_iter().flatten();
-        let [candidates, splat] =
-            [CANDIDATE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
+        let candidates = handle(CANDIDATE_SHADER, Projection::Perspective);
+        let splat = handle(SPLAT_SHADERS, projection);
         let all = shaders
             .map(|(kernel, shader)| (kernel, shader.clone()))
             .chain(finding.map(|kernel| (kernel, candidates.clone())))
@@ -76,10 +77,10 @@ fn handle(first: u128, projection: Projection) -> Handle<Shader> {
 
 /// Adds the shaders that are the same for all scenes with the same projection.
 pub(super) fn add_shaders(app: &mut App) {
+    let candidates = handle(CANDIDATE_SHADER, Projection::Perspective);
+    let text = candidate_shader();
+    add_shader(app, &candidates, text, "lightfall/find_candidates.wgsl");
     for projection in Projection::ALL {
-        let candidates = handle(CANDIDATE_SHADERS, projection);
-        let text = candidate_shader(projection);
-        add_shader(app, &candidates, text, "lightfall/find_candidates.wgsl");
         let splat = handle(SPLAT_SHADERS, projection);
         let text = splat_shader(projection);
         add_shader(app, &splat, text, "lightfall/splat.wgsl");

@@ -9,6 +9,7 @@ mod images;
 mod kernels;
 mod list;
 mod ready;
+mod sides;
 
 pub(crate) use draw::plugin;
 pub(crate) use images::{SceneStars, StarWriter};

@@ -5,7 +5,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::RenderQueue;
 use lightfall_core::gpu::bindings::{CANDIDATE_COUNT, STAR_COUNT, STAR_SUMS};
 use lightfall_core::gpu::stars::{
-    EMPTY_COUNT, StarKernel, empty_candidate_count, solve_workgroups,
+    CANDIDATE_COUNT_SIZE, EMPTY_COUNT, StarKernel, empty_candidate_count, solve_workgroups,
 };
 
 /// A scene's stars whose passes can run.
@@ -26,27 +26,50 @@ pub(super) enum Stale {
 }
 
 impl ReadyStars<'_> {
+    /// How many times [`dispatch`](Self::dispatch) has to run: once for each picture that has a mesh, if
+    /// the images are stale.
+    pub(super) fn rounds(&self, stale: Stale) -> usize {
+        match stale {
+            Stale::All => self.drawn.rounds,
+            Stale::Sums => 1,
+        }
+    }
+
+    /// Empties the list of candidates for another round.
+    pub(super) fn clear_candidates(&self, encoder: &mut CommandEncoder) {
+        if let Some(count) = self.drawn.buffer(CANDIDATE_COUNT) {
+            let none = &self.drawn.no_candidates;
+            encoder.copy_buffer_to_buffer(none, 0, count, 0, CANDIDATE_COUNT_SIZE);
+        }
+    }
+
     /// Empties what is stale of the lists and the sums.
     pub(super) fn clear(&self, stale: Stale, encoder: &mut CommandEncoder, queue: &RenderQueue) {
         let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
+        let no_candidates = empty_candidate_count(self.max_traced);
+        queue.write_buffer(&self.drawn.no_candidates, 0, &no_candidates);
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
                 STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ if stale == Stale::Sums => {}
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
-                CANDIDATE_COUNT => {
-                    queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
-                }
+                CANDIDATE_COUNT => queue.write_buffer(buffer, 0, &no_candidates),
                 _ => {}
             }
         }
     }
 
-    /// Finds the images and dims those behind the disk, if they are stale, and draws them.
-    pub(super) fn dispatch(&self, stale: Stale, pass: &mut ComputePass) {
-        let runs = |kernel: StarKernel| stale == Stale::All || kernel == StarKernel::Splat;
+    /// Finds the images of a round, if they are stale. The last round dims those behind the disk and draws
+    /// all of them.
+    pub(super) fn dispatch(&self, (stale, round): (Stale, usize), pass: &mut ComputePass) {
+        let is_last = round + 1 == self.rounds(stale);
+        let runs = |kernel: StarKernel| match stale {
+            Stale::All => is_last || kernel.is_of_mesh(),
+            Stale::Sums => kernel == StarKernel::Splat,
+        };
         for (kernel, pipeline) in self.kernels.iter().filter(|(kernel, _)| runs(*kernel)) {
-            let Some(bind_group) = &self.drawn.bind_groups[*kernel as usize] else {
+            let groups = &self.drawn.bind_groups[*kernel as usize];
+            let Some(bind_group) = groups.get(if kernel.is_of_mesh() { round } else { 0 }) else {
                 continue;
             };
             pass.set_pipeline(pipeline);

@@ -41,11 +41,19 @@ impl Placement {
         self.of_looking(self.camera_from_observer * direction)
     }
 
-    /// As [`of`](Self::of), for a direction on the camera's axes (right, up, forward).
+    /// As [`of`](Self::of), for a direction on the camera's axes (right, up, forward). None outside a
+    /// fisheye picture's circle, too.
     pub(in crate::app::ui) fn of_looking(&self, looking: DVec3) -> Option<Pos2> {
         let pixel = self.camera.pixel_of(looking, self.size)?;
         let is_near = (pixel / self.size - 0.5).abs().max_element() < FARTHEST;
-        is_near.then(|| self.of_pixel(pixel))
+        let is_shown = self.camera.coverage(pixel, self.size) > 0.0;
+        (is_near && is_shown).then(|| self.of_pixel(pixel))
+    }
+
+    /// Whether the line between neighbouring points of a curve is short: where a picture shows the
+    /// whole sky, points on both sides of its seam are as far apart as they can be.
+    pub(in crate::app::ui) fn is_short(&self, here: Pos2, next: Pos2) -> bool {
+        self.camera.field_deg().is_some() || (here.x - next.x).abs() < 0.5 * self.picture.width()
     }
 
     /// The length in points of an angle about a direction in the middle of the picture.
@@ -68,7 +76,10 @@ impl Placement {
         for (i, here) in places.iter().enumerate() {
             let next = places[(i + 1) % places.len()];
             match (here, next) {
-                (Some(here), Some(next)) if near.intersects(Rect::from_two_pos(*here, next)) => {
+                (Some(here), Some(next))
+                    if near.intersects(Rect::from_two_pos(*here, next))
+                        && self.is_short(*here, next) =>
+                {
                     if let Some(part) = parts.last_mut() {
                         if part.is_empty() {
                             part.push(*here);

@@ -32,6 +32,8 @@ pub(super) fn inspect_chosen_pixel(
     };
     if let Some((side, pixel)) = pixel
         && let Some(scene) = picture.scene_of(side)
+        // Outside a fisheye picture's circle there is no ray.
+        && scene.camera.coverage(pixel, scene.picture.size().as_dvec2()) > 0.0
     {
         inspector.followed = None;
         inspector.side = side;

@@ -56,7 +56,10 @@ pub(super) fn show_value(
                 .map(|number| Value::Integer(number.round() as i64))
         }
         (Kind::Velocity, Value::Velocity(components)) => {
-            show_velocity(ui, field, *components)?.map(Value::Velocity)
+            show_components(ui, field, *components, COMPONENTS)?.map(Value::Velocity)
+        }
+        (Kind::Pair, Value::Pair(numbers)) => {
+            show_components(ui, field, *numbers, ["To the right", "Upward"])?.map(Value::Pair)
         }
         _ => None,
     })
@@ -92,17 +95,20 @@ fn show_choices(
     (chosen != word).then_some(Value::Word(chosen))
 }
 
-fn show_velocity(
+/// Shows the components of a value beside each other, each with what it means.
+fn show_components<const N: usize>(
     ui: &mut egui::Ui,
     field: &Field,
-    mut components: [f64; 3],
-) -> Result<Option<[f64; 3]>, String> {
+    mut components: [f64; N],
+    meanings: [&str; N],
+) -> Result<Option<[f64; N]>, String> {
     let mut changed = false;
-    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+    let count = N as f32;
+    let width = (ui.available_width() - (count - 1.0) * ui.spacing().item_spacing.x) / count;
     for (place, component) in components.iter_mut().enumerate() {
         let id = egui::Id::new((field.key, place));
         let shown = ui.scope(|ui| number_field(ui, id, *component, field.unit, width));
-        shown.response.on_hover_text(COMPONENTS[place]);
+        shown.response.on_hover_text(meanings[place]);
         if let Some(typed) = shown.inner {
             *component = typed?;
             changed = true;

@@ -5,10 +5,10 @@ use glam::DMat3;
 use lightfall_core::gpu::kernel::{table_bytes, uniform};
 use lightfall_core::gpu::stars::{
     CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarImage, GpuStarMesh, GpuStars, MAX_TRACED,
-    PackedStars, StarKernel, candidates_size, empty_candidate_count, images_size, index_bytes,
-    mesh_layout, mesh_points_size, solve_workgroups, sums_size, table_rows,
+    PackedStars, StarKernel, StarSide, candidates_size, empty_candidate_count, images_size,
+    index_bytes, mesh_layout, mesh_points_size, solve_workgroups, sums_size, table_rows,
 };
-use lightfall_core::gpu::{Gpu, GpuScene, ShaderFiles, Variant, bindings, read_back};
+use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings, read_back};
 use lightfall_core::optics::spectrum;
 use lightfall_core::optics::stars::Depth;
 use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
@@ -36,7 +36,6 @@ pub struct StarLight {
 /// The buffers and pipelines of one scene.
 pub struct StarRun<'a> {
     gpu: &'a Gpu,
-    scene: &'a Scene,
     /// In the order in which they run.
     kernels: Vec<(StarKernel, ComputePipeline)>,
     buffers: Vec<(u32, Buffer)>,
@@ -44,6 +43,8 @@ pub struct StarRun<'a> {
     stars: u32,
     /// Unless images are found by inversion.
     mesh: Option<MeshLayout>,
+    /// The numbers of the scene and of the mesh on each side, unless a mesh covers the picture itself.
+    sides: Vec<[Buffer; 2]>,
 }
 
 impl<'a> StarRun<'a> {
@@ -57,8 +58,19 @@ impl<'a> StarRun<'a> {
         depth: Depth,
     ) -> Self {
         if Variant::uses_star_mesh(scene) {
-            let layout = mesh_layout(scene, MeshLayout::CELLS);
-            return Self::with_mesh(gpu, scene, list, hole_from_list, depth, layout);
+            let sides = StarSide::all_of(scene);
+            let searched = sides.first().map_or(scene, |side| &side.scene);
+            let layout = mesh_layout(searched, MeshLayout::CELLS);
+            let mut run = Self::with_mesh(gpu, scene, list, hole_from_list, depth, layout);
+            for side in &sides {
+                let numbers = GpuScene::new(&side.scene, &Frame::of(&side.scene)).unwrap();
+                let mesh = GpuStarMesh::new(&side.scene, &layout, list, hole_from_list);
+                let mesh = uniform(&mesh.on_side(side));
+                let buffers =
+                    [uniform(&numbers), mesh].map(|contents| run.buffer_of(&contents, UNIFORM));
+                run.sides.push(buffers);
+            }
+            return run;
         }
         let inversion = Inversion::new(scene).unwrap();
         let numbers = GpuStars::new(scene, &inversion, list, hole_from_list, depth);
@@ -103,11 +115,11 @@ impl<'a> StarRun<'a> {
         let kernels = kernels.map(|kernel| (kernel, pipeline(gpu, kernel, &kernel.source(scene))));
         let mut run = Self {
             gpu,
-            scene,
             kernels: kernels.collect(),
             buffers: Vec::new(),
             stars: list.len(),
             mesh: None,
+            sides: Vec::new(),
             numbers,
         };
         let stars = uniform(&run.numbers);
@@ -125,23 +137,18 @@ impl<'a> StarRun<'a> {
         run
     }
 
-    /// The same kernels, linked from other files.
-    pub fn linked_from(mut self, files: &ShaderFiles) -> Self {
-        for (kernel, compiled) in &mut self.kernels {
-            let text = kernel.text(self.scene).linked_from(files);
-            *compiled = pipeline(self.gpu, *kernel, &text.source());
-        }
-        self
+    fn add_bytes(&mut self, binding: u32, contents: &[u8], usage: BufferUsages) {
+        let buffer = self.buffer_of(contents, usage);
+        self.buffers.push((binding, buffer));
     }
 
-    fn add_bytes(&mut self, binding: u32, contents: &[u8], usage: BufferUsages) {
+    fn buffer_of(&self, contents: &[u8], usage: BufferUsages) -> Buffer {
         let descriptor = BufferInitDescriptor {
             label: None,
             contents,
             usage,
         };
-        let buffer = self.gpu.device.create_buffer_init(&descriptor);
-        self.buffers.push((binding, buffer));
+        self.gpu.device.create_buffer_init(&descriptor)
     }
 
     fn add_empty(&mut self, binding: u32, size: u64) {
@@ -199,10 +206,24 @@ impl<'a> StarRun<'a> {
                 _ => {}
             }
         }
+        let rounds = self.sides.len().max(1);
+        for round in 0..rounds {
+            if round > 0 {
+                let counts = self.buffer(bindings::CANDIDATE_COUNT);
+                let empty =
+                    self.buffer_of(&empty_candidate_count(MAX_TRACED), BufferUsages::COPY_SRC);
+                encoder.copy_buffer_to_buffer(&empty, 0, counts, 0, counts.size());
+            }
+            self.encode_round(encoder, round, round + 1 == rounds);
+        }
+    }
+
+    fn encode_round(&self, encoder: &mut CommandEncoder, round: usize, is_last: bool) {
         let mut pass = encoder.begin_compute_pass(&Default::default());
-        for (kernel, pipeline) in &self.kernels {
+        let runs = |kernel: StarKernel| kernel.is_of_mesh() || is_last;
+        for (kernel, pipeline) in self.kernels.iter().filter(|(kernel, _)| runs(*kernel)) {
             pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &self.bind(*kernel, pipeline), &[]);
+            pass.set_bind_group(0, &self.bind(*kernel, pipeline, round), &[]);
             match (kernel.indirect(), &self.mesh) {
                 (Some((binding, start)), _) => {
                     pass.dispatch_workgroups_indirect(self.buffer(binding), start);
@@ -223,13 +244,18 @@ impl<'a> StarRun<'a> {
         &found.expect("every binding of a kernel has a buffer").1
     }
 
-    fn bind(&self, kernel: StarKernel, pipeline: &ComputePipeline) -> BindGroup {
+    fn bind(&self, kernel: StarKernel, pipeline: &ComputePipeline, round: usize) -> BindGroup {
+        let side = self.sides.get(round).filter(|_| kernel.is_of_mesh());
         let bindings: Vec<&u32> = kernel.reads().iter().chain(kernel.writes()).collect();
         // Only with lensing there is a table.
         let buffers = self.buffers.iter().filter(|(at, _)| bindings.contains(&at));
         let entries = buffers.map(|(binding, buffer)| BindGroupEntry {
             binding: *binding,
-            resource: buffer.as_entire_binding(),
+            resource: match (*binding, side) {
+                (bindings::SCENE, Some([numbers, _])) => numbers.as_entire_binding(),
+                (bindings::STAR_MESH, Some([_, mesh])) => mesh.as_entire_binding(),
+                _ => buffer.as_entire_binding(),
+            },
         });
         self.gpu
             .device

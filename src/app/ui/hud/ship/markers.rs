@@ -36,7 +36,10 @@ pub(in crate::app::ui::hud) fn show_markers(
         return;
     }
     let placement = picture.placement(context);
-    let camera = ship.mount().0.transpose();
+    // The headings are on the axes of the ship, from which the camera is turned and its picture tilted.
+    let own = &picture.scene().camera;
+    let tilt = own.tetrad_from_camera().transpose() * own.heading();
+    let camera = tilt * ship.mount().0.transpose();
     let headings = [
         (Heading::Prograde, "prograde"),
         (Heading::Retrograde, "retrograde"),

@@ -3,7 +3,7 @@
 use super::markers::draw_name;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::overlays::{Overlays, PathShown};
-use crate::app::ui::guides::sky_of;
+use crate::app::ui::guides::{Placement, sky_of};
 use crate::app::ui::picture_in_window::{PictureInWindow, SceneSide};
 use crate::app::ui::screen::{MARGIN, Screen, draw_below_boxes};
 use crate::app::ui::theme::ACCENT;
@@ -113,7 +113,7 @@ pub(in crate::app::ui::hud) fn show_path(
     let is_visible = |place: &&Pos2| visible.contains(**place);
     let drawn = places.iter().flatten().filter(is_visible).count();
     draw_below_boxes(context, "path ahead", visible, |painter| {
-        draw_line(painter, &places);
+        draw_line(painter, &placement, &places);
         for (apsis, place) in marks {
             let name = match apsis {
                 Apsis::Low => "lowest point",
@@ -131,7 +131,7 @@ fn stroke(strength: f32) -> Stroke {
 }
 
 /// Draws the parts between points that follow each other, with a dark edge below them.
-fn draw_line(painter: &Painter, places: &[Option<Pos2>]) {
+fn draw_line(painter: &Painter, placement: &Placement, places: &[Option<Pos2>]) {
     let last = places.len().max(2) as f32 - 1.0;
     let strength = |index: usize| 1.0 - (1.0 - LAST) * index as f32 / last;
     for is_edge in [true, false] {
@@ -139,6 +139,9 @@ fn draw_line(painter: &Painter, places: &[Option<Pos2>]) {
             let [Some(from), Some(to)] = pair else {
                 continue;
             };
+            if !placement.is_short(*from, *to) {
+                continue;
+            }
             let strength = strength(index);
             let stroke = match is_edge {
                 true => Stroke::new(EDGE, Color32::from_black_alpha((110.0 * strength) as u8)),

@@ -1,0 +1,126 @@
+//! Pictures of the six sides of a cube about the camera: in one file, or in a file for each.
+
+use super::large::Tiling;
+use super::writer::{PictureWriter, on_tile};
+use crate::commands::stop::Stop;
+use lightfall_core::optics::exposure::exposed;
+use lightfall_core::scene::{CubeLayout, CubeSide, Projection, Scene};
+use lightfall_picture as picture;
+use lightfall_picture::{Format, LargePicture, Still};
+use std::path::{Path, PathBuf};
+
+/// What stands for the side's name in the name of a file.
+const FACE: &str = "{face}";
+
+/// The files of a picture: one, or one for each side of a cube.
+pub(super) fn files_of(file: &Path) -> Vec<PathBuf> {
+    if !is_of_side(file) {
+        return vec![file.into()];
+    }
+    let sides = CubeLayout::THREE_BY_TWO.sides;
+    sides.iter().map(|side| file_of(file, side)).collect()
+}
+
+/// Whether a name stands for the files of the sides.
+pub(super) fn is_of_side(file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default();
+    name.to_string_lossy().contains(FACE)
+}
+
+fn file_of(file: &Path, side: &CubeSide) -> PathBuf {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    file.with_file_name(name.replace(FACE, side.name))
+}
+
+/// The layout of a file of this format.
+fn layout(format: Format, file: &Path) -> CubeLayout {
+    match format {
+        Format::Exr if !is_of_side(file) => CubeLayout::COLUMN,
+        _ => CubeLayout::THREE_BY_TWO,
+    }
+}
+
+/// The number of pixels along the edges of the cube in a scene's picture, which has the shape of
+/// [`CubeLayout::THREE_BY_TWO`].
+fn side_of(scene: &Scene) -> u32 {
+    (scene.picture.width / CubeLayout::THREE_BY_TWO.columns).max(1)
+}
+
+/// The scene that is drawn at once: that of a cube's first side, or the scene itself.
+pub(super) fn drawn_at_once(scene: &Scene) -> Scene {
+    match scene.camera.projection {
+        Projection::Cube => {
+            let first = &CubeLayout::THREE_BY_TWO.sides[0];
+            scene.cube_side(first, side_of(scene))
+        }
+        _ => scene.clone(),
+    }
+}
+
+/// How many such scenes a picture is drawn of.
+pub(super) fn pictures_at_once(scene: &Scene) -> usize {
+    match scene.camera.projection {
+        Projection::Cube => CubeLayout::THREE_BY_TWO.sides.len(),
+        _ => 1,
+    }
+}
+
+impl PictureWriter {
+    /// Draws and writes the sides of a cube. One exposure, metered over the whole sky, serves them all.
+    pub(super) fn write_cube(
+        &mut self,
+        scene: &Scene,
+        file: &Path,
+        tiling: Tiling,
+    ) -> Result<(), Stop> {
+        let scene = exposed(scene);
+        let (layout, side) = (layout(self.format, file), side_of(&scene));
+        let mut metered = scene.clone();
+        metered.picture.automatic_exposure = false;
+        if is_of_side(file) {
+            for face in &layout.sides {
+                let own = metered.cube_side(face, side);
+                self.write_large(&own, &file_of(file, face), tiling)?;
+            }
+            return Ok(());
+        }
+        let (mut levels, mut lights, mut channels) = (Vec::new(), Vec::new(), Vec::new());
+        for face in &layout.sides {
+            let own = metered.cube_side(face, side);
+            let mut on_tile = on_tile(&mut self.progress, file);
+            let mut large = LargePicture {
+                scene: &own,
+                tiles: tiling.tiles,
+                on_tile: &mut on_tile,
+            };
+            if self.format != Format::Exr {
+                levels.push(large.levels(&mut self.studio)?);
+                continue;
+            }
+            let (light, depth) = large.light(&mut self.studio, self.channels.with_depth())?;
+            drop(on_tile);
+            lights.push(light);
+            channels.push(self.samples(&own, &depth)?);
+        }
+        if self.format == Format::Exr {
+            let light = picture::joined_light(layout, &lights);
+            let samples = picture::joined_channels(layout, side, &channels);
+            return self.write_linear(&scene, file, (light, samples));
+        }
+        let (size, levels) = (
+            layout.size(side),
+            picture::joined_levels(layout, side, &levels),
+        );
+        if self.format == Format::Apng {
+            let rgb = levels.into_iter().map(|level| level as u8).collect();
+            return Ok(self.add_frame(&scene, file, &Still { size, rgb })?);
+        }
+        let record = self.studio.record(&scene);
+        Ok(picture::write_png_levels(
+            file,
+            (size, tiling.bits),
+            &levels,
+            &record,
+        )?)
+    }
+}
