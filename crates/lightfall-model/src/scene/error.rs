@@ -1,7 +1,9 @@
 //! What can be wrong with a scene, each in one sentence.
 
 use super::fields::field;
+use super::key_line::line_of;
 use super::range::Kind;
+use super::toml_fault::TomlFault;
 use crate::numbers::number_with_comma;
 use std::fmt;
 use thiserror::Error;
@@ -91,11 +93,12 @@ impl Refusal {
 }
 
 /// Why a preset and its overrides do not make a scene.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{origin}: {fault}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
     /// Where the fault was written: a file, a preset or an option of the command line.
     pub origin: String,
+    /// The line of a file in which the field is, from 1.
+    line: Option<usize>,
     /// What is wrong.
     pub fault: SceneFault,
 }
@@ -104,7 +107,36 @@ impl SceneError {
     pub(super) fn new(origin: &str, fault: SceneFault) -> Self {
         Self {
             origin: origin.into(),
+            line: None,
             fault,
+        }
+    }
+
+    /// The same error with its line, if it is one of the preset with this origin and text.
+    pub(super) fn in_text(self, origin: &str, text: &str) -> Self {
+        let key = self.fault.key().filter(|_| self.origin == origin);
+        let line = key.and_then(|key| line_of(text, None, key));
+        Self { line, ..self }
+    }
+
+    /// The same error of a text that nobody reads.
+    pub(super) fn without_line(self) -> Self {
+        Self { line: None, ..self }
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            origin,
+            line,
+            fault,
+        } = self;
+        match line {
+            Some(line) => write!(f, "{origin}: line {line}: {fault}"),
+            None => write!(f, "{origin}: {fault}"),
         }
     }
 }
@@ -113,13 +145,9 @@ impl SceneError {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum SceneFault {
-    /// The text is not TOML.
-    #[error("line {line}, column {column}: {message}; the text is read as TOML")]
-    Syntax {
-        line: usize,
-        column: usize,
-        message: String,
-    },
+    /// The text is not TOML, or has fields or values of another kind.
+    #[error("{0}")]
+    Toml(TomlFault),
     /// The preset was written for another version of the format.
     #[error(
         "schema = {given} is another version of the preset format; this program reads schema 1"
@@ -147,4 +175,28 @@ pub enum SceneFault {
     /// A value of the wrong type or out of range.
     #[error(transparent)]
     Refused(#[from] Box<Refusal>),
+}
+
+impl SceneFault {
+    /// The key of the field that it is about, if there is one.
+    fn key(&self) -> Option<&str> {
+        match self {
+            Self::UnknownKey { key, .. } | Self::NotAField { key, .. } => Some(key),
+            Self::Schema { .. } => Some("schema"),
+            Self::Refused(refusal) => match &refusal.blamed {
+                Some(blamed) => Some(blamed.0),
+                None => Some(refusal.key),
+            },
+            Self::Toml(_)
+            | Self::NoField
+            | Self::NotAnAssignment { .. }
+            | Self::SetByMission { .. } => None,
+        }
+    }
+}
+
+impl From<TomlFault> for SceneFault {
+    fn from(fault: TomlFault) -> Self {
+        Self::Toml(fault)
+    }
 }

@@ -4,8 +4,8 @@ use super::SCHEMA;
 use super::error::{Refusal, SceneFault};
 use super::field::Field;
 use super::range::{Kind, number};
+use super::toml_fault::TomlFault;
 use super::value::{Value, quoted};
-use crate::numbers::number_with_comma;
 use toml::Table;
 
 impl Field {
@@ -90,7 +90,7 @@ pub(super) fn given(value: &toml::Value) -> String {
 /// # Errors
 /// The text is not TOML, or of another version of the format.
 pub(super) fn table(text: &str) -> Result<Table, SceneFault> {
-    let table: Table = toml::from_str(text).map_err(|error| syntax(text, &error))?;
+    let table: Table = toml::from_str(text).map_err(|error| TomlFault::new(text, &error))?;
     // The version comes first: other fields may be correct in another version of the format.
     match table.get("schema") {
         Some(schema @ toml::Value::Integer(number)) if *number != i64::from(SCHEMA) => {
@@ -99,55 +99,4 @@ pub(super) fn table(text: &str) -> Result<Table, SceneFault> {
         }
         _ => Ok(table),
     }
-}
-
-/// A fault of TOML with the line and column where it was noticed.
-pub(super) fn syntax(text: &str, error: &toml::de::Error) -> SceneFault {
-    let at = error.span().map_or(0, |span| span.start.min(text.len()));
-    let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let message = one_line(error.message());
-    let line = text[line_start..].lines().next().unwrap_or_default();
-    SceneFault::Syntax {
-        line: 1 + before.matches('\n').count(),
-        column: 1 + before[line_start..].chars().count(),
-        message: match meant(line) {
-            Some(meant) => format!("{message} ({meant})"),
-            None => message,
-        },
-    }
-}
-
-/// What was probably meant by a line that is no TOML: a number with a decimal comma, or `no` for false.
-fn meant(line: &str) -> Option<String> {
-    let value = line.split_once('=').map(|(_, value)| value.trim());
-    let number = value.and_then(|value| number_with_comma(value, |_| true));
-    if let Some(number) = number {
-        return Some(format!("did you mean {number}?"));
-    }
-    let word = value?.split('#').next().unwrap_or_default().trim();
-    let is_switch = ["yes", "no", "on", "off", "true", "false"].contains(&&*word.to_lowercase());
-    if is_switch && !["true", "false"].contains(&word) {
-        return Some("write true or false, in small letters".into());
-    }
-    // In a table on one line.
-    let is_part = |c: char| c.is_ascii_digit() || "+-.,".contains(c);
-    line.match_indices('=').find_map(|(at, _)| {
-        let is_quoted = line[..at].matches('"').count() % 2 == 1;
-        let value = line[at + 1..].trim_start();
-        let end = value.find(|c: char| !is_part(c)).unwrap_or(value.len());
-        let number = value[..end].trim_end_matches(',');
-        let with_point = number.replacen(',', ".", 1);
-        let is_number = number.contains(',') && with_point.parse::<f64>().is_ok();
-        (is_number && !is_quoted).then(|| format!("write {with_point} with a point"))
-    })
-}
-
-fn one_line(message: &str) -> String {
-    message
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(", ")
 }

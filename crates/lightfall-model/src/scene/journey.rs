@@ -13,7 +13,6 @@ mod draft;
 mod error;
 mod format;
 mod idle;
-mod key_line;
 mod keyframe;
 mod lessons;
 mod load;

@@ -65,8 +65,12 @@ struct Given<'a> {
 /// picture's size adapts its grid, as [`resized`] does.
 ///
 /// # Errors
-/// One sentence that names where the fault is written, the key, the value and what is allowed.
+/// One sentence that names where the fault is written, its line, the key, the value and what is allowed.
 pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
+    read(origin, text, overrides).map_err(|error| error.in_text(origin, text))
+}
+
+fn read(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
     let table = table(text).map_err(|fault| SceneError::new(origin, fault))?;
     let mut fields = BTreeMap::new();
     let is_empty = !table.is_empty() && table.values().all(is_empty_table);

@@ -87,9 +87,10 @@ impl Mission {
     }
 }
 
-/// Whether a text is meant as a mission, and not as a preset: it has a table that only missions have.
+/// Whether a text is meant as a mission, and not as a preset: it has a table that only missions have, or the
+/// head of one with a bracket too few.
 pub fn is_mission(text: &str) -> bool {
-    const TABLES: [&str; 3] = ["[[goal]]", "[ending]", "[[solution]]"];
+    const TABLES: [&str; 5] = ["[[goal]", "[goal]", "[ending]", "[[solution]", "[solution]"];
     text.lines().any(|line| {
         TABLES
             .iter()

@@ -24,6 +24,7 @@ mod hint;
 mod idle;
 mod idle_rules;
 pub mod journey;
+mod key_line;
 mod light_sources;
 mod limits;
 mod load;
@@ -40,6 +41,7 @@ mod relevant;
 mod save;
 mod step_policy;
 mod tables;
+mod toml_fault;
 mod tone_curve;
 mod value;
 mod view;
@@ -66,6 +68,7 @@ pub use step_policy::ArticleQuality;
 pub use tables::{
     Camera, Disk, Effects, Hole, HotSpot, Jet, Observer, Picture, Probe, Quality, Scene, Sky,
 };
+pub use toml_fault::TomlFault;
 pub use tone_curve::ToneCurve;
 pub use value::Value;
 pub use view::{Content, Swatch, View, ViewProperties};

@@ -96,5 +96,6 @@ impl Preset {
             self.text,
             overrides,
         )
+        .map_err(SceneError::without_line)
     }
 }

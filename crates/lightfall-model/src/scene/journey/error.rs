@@ -1,9 +1,11 @@
 //! What can be wrong with the text of a journey, each in one sentence.
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, MAX_STOPS, NAMES};
-use super::key_line::line_of;
 use crate::scene::error::SceneFault;
+use crate::scene::key_line::line_of;
+use crate::scene::nearest_name;
 use crate::scene::presets::numbered_names;
+use crate::scene::toml_fault::one_table;
 use std::fmt;
 use thiserror::Error;
 
@@ -80,6 +82,14 @@ const MAX_FAULTS: usize = 20;
 const TOP: &str =
     "schema = 1, title, teaches, ending, preset, and tables [[keyframe]], [[caption]] and [[stop]]";
 
+/// The keys of the top level.
+const TOP_KEYS: [&str; 8] = [
+    "schema", "title", "teaches", "ending", "preset", "keyframe", "caption", "stop",
+];
+
+/// The keys of a caption.
+const CAPTION_KEYS: [&str; 3] = ["time", "seconds", "text"];
+
 /// What is wrong with the text of a journey. Keyframes, captions and stops count from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Fault {
@@ -87,8 +97,11 @@ pub enum Fault {
     #[error(transparent)]
     Text(#[from] SceneFault),
     /// A key at the top level that is unknown, or has a value of the wrong type.
-    #[error("{key} = {given} is refused: a journey has {TOP}")]
+    #[error("{key} = {given} is refused: {}a journey has {TOP}", meant(key, &TOP_KEYS))]
     Top { key: String, given: String },
+    /// A single table where there must be a list of them.
+    #[error("{}", one_table(key))]
+    OneTable { key: String },
     /// A key at the top level that is a field of scenes, or a table of them.
     #[error("{key} belongs to a preset, and this must be a journey, which has {TOP}")]
     FieldOfScenes { key: String },
@@ -112,8 +125,9 @@ pub enum Fault {
     Count { count: usize },
     /// A keyframe with an unknown key.
     #[error(
-        "keyframe {number}: there is no {key}; a keyframe has time, any of {}, and a table rain of those but \
+        "keyframe {number}: there is no {key}; {}a keyframe has time, any of {}, and a table rain of those but \
              the observer and the disk's own, for an observer that falls from rest at infinity",
+        meant(key, &keyframe_keys()),
         names()
     )]
     UnknownKey { number: usize, key: String },
@@ -121,7 +135,10 @@ pub enum Fault {
     #[error("a journey has at most {MAX_CAPTIONS} tables [[caption]], and this one has {count}")]
     CaptionCount { count: usize },
     /// A caption with an unknown key.
-    #[error("caption {number}: there is no {key}; a caption has time, seconds and text")]
+    #[error(
+        "caption {number}: there is no {key}; {}a caption has time, seconds and text",
+        meant(key, &CAPTION_KEYS)
+    )]
     CaptionKey { number: usize, key: String },
     /// Too many stops.
     #[error("a journey has at most {MAX_STOPS} tables [[stop]], and this one has {count}")]
@@ -159,7 +176,9 @@ impl Fault {
             | Self::Count { .. }
             | Self::CaptionCount { .. }
             | Self::StopCount { .. } => None,
-            Self::Top { key, .. } | Self::FieldOfScenes { key } => Some((None, key.as_str())),
+            Self::Top { key, .. } | Self::OneTable { key } | Self::FieldOfScenes { key } => {
+                Some((None, key.as_str()))
+            }
             Self::Line { key, .. } => Some((None, *key)),
             Self::Preset { .. } => Some((None, "preset")),
             Self::UnknownKey { number, key } => Some((Some(("keyframe", *number)), key.as_str())),
@@ -181,4 +200,20 @@ fn refusal(key: &str, given: Option<&str>, allowed: &str) -> String {
 
 fn names() -> String {
     NAMES.map(|(name, _)| name).join(", ")
+}
+
+/// The keys of a keyframe.
+fn keyframe_keys() -> Vec<&'static str> {
+    let own = ["time", "rain"].into_iter();
+    own.chain(NAMES.map(|(name, _)| name)).collect()
+}
+
+/// The part of a sentence that says which key was probably meant by an unknown one. Empty if none was.
+fn meant(key: &str, known: &[&str]) -> String {
+    let is_known = known.contains(&key);
+    let known: Vec<String> = known.iter().map(|known| (*known).to_owned()).collect();
+    match nearest_name(key, &known).filter(|_| !is_known) {
+        Some(meant) => format!("did you mean {meant}?; "),
+        None => String::new(),
+    }
 }

@@ -24,11 +24,12 @@ pub fn built_in(name: &str) -> Option<Journey> {
     load(name, text).ok()
 }
 
-/// Whether a text is meant as a journey, and not as a preset: it has a table that only journeys have.
+/// Whether a text is meant as a journey, and not as a preset: it has a table that only journeys have, or the
+/// head of one with a bracket too few.
 pub fn is_journey(text: &str) -> bool {
     let mut lines = text.lines().map(str::trim_start);
     lines.any(|line| {
-        ["[[keyframe]]", "[[stop]]"]
+        ["[[keyframe]", "[[stop]", "[keyframe]", "[stop]"]
             .iter()
             .any(|table| line.starts_with(table))
     })

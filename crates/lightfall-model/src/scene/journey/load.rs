@@ -76,6 +76,9 @@ fn journey(table: Table) -> Result<Journey, Vec<Fault>> {
             ("stop", toml::Value::Array(values)) if is_list_of_tables(&values) => {
                 stops = tables(values);
             }
+            ("keyframe" | "caption" | "stop", toml::Value::Table(_)) => {
+                faults.push(Fault::OneTable { key: key.clone() });
+            }
             // A preset has many of them.
             (key, _) if is_table(key) => {
                 faults.push(Fault::FieldOfScenes { key: key.into() });

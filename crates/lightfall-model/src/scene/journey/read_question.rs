@@ -5,6 +5,7 @@ use super::load::noted;
 use super::read_stop::refused;
 use crate::scene::Question;
 use crate::scene::from_toml::float;
+use crate::scene::nearest_name;
 use crate::scene::value::shortened;
 
 /// The key of a stop's question.
@@ -27,12 +28,15 @@ pub(super) fn read_question(number: usize, value: toml::Value) -> Result<Questio
         )]);
     };
     let mut faults = Vec::new();
-    let [text, answer, tolerance, unit, hint] =
-        ["text", "answer", "tolerance", "unit", "hint"].map(|key| table.remove(key));
+    const KEYS: [&str; 5] = ["text", "answer", "tolerance", "unit", "hint"];
+    let [text, answer, tolerance, unit, hint] = KEYS.map(|key| table.remove(key));
     faults.extend(table.keys().map(|key| Fault::StopKey {
         number,
         key: format!("question.{}", shortened(key)),
-        hint: format!("a question is {ALLOWED}"),
+        hint: match nearest_name(key, &KEYS.map(str::to_owned)) {
+            Some(meant) => format!("did you mean question.{meant}?"),
+            None => format!("a question is {ALLOWED}"),
+        },
     }));
     let line = |key, value: Option<&toml::Value>, most: usize| {
         let text = value.and_then(toml::Value::as_str).map(str::trim);

@@ -7,7 +7,7 @@ use super::read_question::read_question;
 use super::stop::{InspectorView, SideBySide, Stop, is_switched};
 use crate::scene::fields::field;
 use crate::scene::from_toml::{float, given};
-use crate::scene::hint::{hint, is_table};
+use crate::scene::hint::{hint, is_table, nearest_name};
 use crate::scene::value::{Value, shortened};
 use toml::Table;
 
@@ -166,7 +166,7 @@ fn read_field(
     };
     // A quoted key with a dot in it is no field.
     let found = field(&key).filter(|_| key.matches('.').count() <= 1);
-    let field = found.ok_or_else(|| unknown(hint(&key)))?;
+    let field = found.ok_or_else(|| unknown(hint_of_stop(&key)))?;
     if !is_switched(field) {
         let hint = "no stop switches it; keyframes lead the camera, the observer and the disk's \
             tilt and clock"
@@ -186,6 +186,24 @@ fn read_field(
     match value.number() {
         Some(number) if !field.kind.range().contains(number) => Err(refused(value.quoted())),
         _ => Ok((field.key, value)),
+    }
+}
+
+/// What to write instead of an unknown key of a stop.
+fn hint_of_stop(key: &str) -> String {
+    const OWN: [&str; 6] = [
+        "at",
+        "caption",
+        "guides",
+        "side_by_side",
+        "inspector",
+        "question",
+    ];
+    match nearest_name(key, &OWN.map(str::to_owned)) {
+        // Keyframes and captions have a time, and a field of scenes has that name, too.
+        _ if key == "time" => "did you mean at?".into(),
+        Some(own) => format!("did you mean {own}?"),
+        None => hint(key),
     }
 }
 

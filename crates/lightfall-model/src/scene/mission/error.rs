@@ -1,17 +1,49 @@
 //! What can be wrong with the text of a mission, each in one sentence.
 
 use crate::scene::error::{SceneError, SceneFault};
+use crate::scene::key_line::line_of;
 use crate::scene::presets::numbered_names;
+use std::fmt;
 use thiserror::Error;
 
 /// Why a text is not a mission.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{origin}: {fault}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MissionError {
     /// The mission's file.
     pub origin: String,
+    /// The line, from 1, of what is wrong, if it is a field or a table.
+    line: Option<usize>,
     /// What is wrong.
     pub fault: Fault,
+}
+
+impl MissionError {
+    /// The error of a text with this fault.
+    pub(super) fn new(origin: &str, text: &str, fault: Fault) -> Self {
+        let place = fault.place();
+        let line = place.and_then(|(table, key)| line_of(text, table, key));
+        Self {
+            origin: origin.into(),
+            line,
+            fault,
+        }
+    }
+}
+
+impl std::error::Error for MissionError {}
+
+impl fmt::Display for MissionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            origin,
+            line,
+            fault,
+        } = self;
+        match line {
+            Some(line) => write!(f, "{origin}: line {line}: {fault}"),
+            None => write!(f, "{origin}: {fault}"),
+        }
+    }
 }
 
 /// What is wrong with the text of a mission. Tables count from 1.
@@ -62,4 +94,35 @@ pub enum Fault {
         found: String,
         needed: &'static str,
     },
+}
+
+/// The key of a text that a fault is about, after the name and the number of the table that should have it.
+type Place<'a> = (Option<(&'a str, usize)>, &'a str);
+
+impl Fault {
+    /// Where the fault is. None for one of the whole text.
+    fn place(&self) -> Option<Place<'_>> {
+        match self {
+            Self::Text(_) | Self::Start(_) | Self::NoGoal => None,
+            Self::Preset { .. } => Some((None, "preset")),
+            Self::Number { key, .. } | Self::Line { key, .. } => Some(place_of(key)),
+            Self::KeyTwice { .. } => Some((None, "keys")),
+            Self::Star { .. } => Some((None, "start.star_deg")),
+            Self::NoCondition { table, number } => Some((Some((*table, *number)), "all")),
+            Self::Choice { number, needed, .. } => Some((Some(("solution", *number)), *needed)),
+        }
+    }
+}
+
+/// The place that a message names as `ship.exhaust`, `start.star_deg: theta` or `goal 2: hold`.
+fn place_of(named: &str) -> Place<'_> {
+    let (before, key) = named.split_once(": ").unwrap_or((named, ""));
+    let numbered = before.rsplit_once(' ').and_then(|(table, number)| {
+        let number = number.parse().ok()?;
+        Some((table, number))
+    });
+    match numbered {
+        Some(table) => (Some(table), key),
+        None => (None, before),
+    }
 }

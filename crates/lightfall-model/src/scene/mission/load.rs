@@ -6,9 +6,10 @@ use super::text::{BurnText, HoleOfMission, Start, Text};
 use super::{Burn, Face, Mission, Push, Until};
 use crate::scene::Override;
 use crate::scene::error::{SceneError, SceneFault};
-use crate::scene::from_toml::{syntax, table};
+use crate::scene::from_toml::table;
 use crate::scene::presets;
 use crate::scene::range::number;
+use crate::scene::toml_fault::TomlFault;
 
 /// Largest number of characters of a line of text, such as a title.
 const MAX_LINE: usize = 120;
@@ -23,15 +24,12 @@ const POSITIVE: &str = "a finite number above 0";
 /// # Errors
 /// One sentence that names the file, the line or the key, what was given and what is allowed.
 pub fn load(origin: &str, text: &str) -> Result<Mission, MissionError> {
-    read(text).map_err(|fault| MissionError {
-        origin: origin.into(),
-        fault,
-    })
+    read(text).map_err(|fault| MissionError::new(origin, text, fault))
 }
 
 fn read(text: &str) -> Result<Mission, Fault> {
     table(text)?;
-    let written: Text = toml::from_str(text).map_err(|error| syntax(text, &error))?;
+    let written: Text = toml::from_str(text).map_err(|error| toml_fault(text, &error))?;
     check_texts(&written)?;
     check_numbers(&written)?;
     check_keys(written.keys.as_deref().unwrap_or_default())?;
@@ -75,6 +73,10 @@ fn read(text: &str) -> Result<Mission, Fault> {
             .collect::<Result<_, _>>()?,
         scene,
     })
+}
+
+fn toml_fault(text: &str, error: &toml::de::Error) -> Fault {
+    SceneFault::from(TomlFault::new(text, error)).into()
 }
 
 /// What a mission sets in its preset: its hole and its observer, which faces the hole.

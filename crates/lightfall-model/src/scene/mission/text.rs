@@ -258,7 +258,11 @@ pub struct Burn {
 
 /// What an engine does in a part of a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "it must be one of hole, outward, prograde, retrograde, or three numbers on the axes of the observer, \
+                 such as [1, 0, 0]"
+)]
 pub enum Push {
     /// Thrust along a course.
     Along(Course),

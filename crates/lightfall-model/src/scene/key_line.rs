@@ -1,4 +1,4 @@
-//! The line of a key in the text of a journey, for messages.
+//! The line of a key in a text in TOML, for messages.
 
 use toml::de::{DeTable, DeValue};
 

@@ -1,0 +1,70 @@
+//! What is wrong with a text in TOML, in words for people who know nothing of TOML.
+//!
+//! The parser says what it expects next. Who writes a preset or a lesson needs to know what stands there
+//! and what is meant, so each common slip has a sentence of its own, and the parser's words reach nobody.
+
+mod head;
+mod scalar;
+mod syntax;
+mod tokens;
+mod types;
+
+pub(in crate::scene) use head::one_table;
+
+use std::fmt;
+use toml::de::{DeTable, Error};
+
+/// Why a text is no TOML, or has not the fields that its reader asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TomlFault {
+    /// The line, from 1. None for what the whole text lacks.
+    line: Option<usize>,
+    /// What was given, and what is allowed or meant.
+    said: String,
+}
+
+impl TomlFault {
+    /// The fault of a `text` that was read with this `error`.
+    pub fn new(text: &str, error: &Error) -> Self {
+        match DeTable::parse(text) {
+            Ok(document) => types::told(text, document.get_ref(), error),
+            Err(error) => syntax::told(text, &error),
+        }
+    }
+
+    /// A fault at this place of the text.
+    fn at(text: &str, at: usize, said: String) -> Self {
+        Self {
+            line: Some(line_number(text, at)),
+            said,
+        }
+    }
+}
+
+impl fmt::Display for TomlFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "line {line}: {}", self.said),
+            None => f.write_str(&self.said),
+        }
+    }
+}
+
+/// The line of a place, from 1.
+fn line_number(text: &str, at: usize) -> usize {
+    let before = text.as_bytes().iter().take(at);
+    1 + before.filter(|byte| **byte == b'\n').count()
+}
+
+/// A part of a text as a sentence quotes it: its first line, if that is not too long.
+fn shown(part: &str) -> String {
+    const MAX_CHARS: usize = 60;
+    let mut lines = part.trim().lines();
+    let first = lines.next().unwrap_or_default().trim_end();
+    let printed = || first.chars().filter(|c| !c.is_control());
+    let mut short: String = printed().take(MAX_CHARS).collect();
+    if printed().count() > MAX_CHARS || lines.next().is_some() {
+        short.push_str("...");
+    }
+    format!("`{short}`")
+}
