@@ -56,6 +56,7 @@ pub use state::missions::next_not_reached;
 pub use state::preferences::Preferences;
 pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};
+pub use state::result_file::time_in_utc;
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::SettingsFault;
 pub use state::sound::{CockpitSound, NO_SOUND};

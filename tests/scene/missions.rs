@@ -432,6 +432,8 @@ fn result(mission: &str, reached: bool, lamps: usize, rapidity_used: f64) -> Mis
         error: 3.5e-14,
         answer: None,
         is_right: None,
+        time: "2026-03-01T09:05:00Z".into(),
+        pupil: "Lovelace, \"Ada\"".into(),
     }
 }
 
@@ -463,6 +465,25 @@ fn results_are_kept_in_a_file_of_rows_that_is_read_again_and_the_best_one_has_th
     // More lamps, then less rapidity; and a failure is no better than anything.
     assert!(rows[2].is_better_than(&rows[1]) && rows[3].is_better_than(&rows[2]));
     assert!(!rows[3].is_better_than(&rows[3]) && !rows[0].is_better_than(&rows[1]));
+}
+
+/// The columns of earlier versions keep their places, and a name is no formula.
+#[test]
+fn the_last_cells_of_a_result_are_its_time_and_its_pupil() {
+    let flown = MissionResult {
+        pupil: "=1+1, Ada".into(),
+        ..result("graze", true, 3, 1.0)
+    };
+    let row = flown.row();
+    assert!(
+        row.ends_with(",3.5e-14,,,2026-03-01T09:05:00Z,\"'=1+1, Ada\""),
+        "{row}"
+    );
+    assert_eq!(MissionResult::read(&row).unwrap().row(), row);
+    // A row of an earlier version has none of both.
+    let old = MissionResult::read("sample,reached,3,1,1,1,1,,,1,1,2,1e-12,42,true").unwrap();
+    assert_eq!((old.time.as_str(), old.pupil.as_str()), ("", ""));
+    assert_eq!((old.answer, old.is_right), (Some(42.0), Some(true)));
 }
 
 /// A path that comes away has no highest point, and a table has no word for infinity.
@@ -608,7 +629,7 @@ fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
     results.correct_last(answered.clone()).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
     assert!(
-        text.lines().next().unwrap().ends_with(",answer,is_right"),
+        text.lines().next().unwrap().ends_with(",answer,is_right,time,pupil"),
         "{text}"
     );
     assert_eq!(lines()[0], "sample,reached,3,1,1,1,1,,,1,1,2,1e-12,");

@@ -10,6 +10,7 @@ fn settings_are_read_back_as_they_were_written() {
     let mut settings = Settings {
         ui_scale: 1.25,
         volume: 0.0,
+        pupil: "Ada \"Countess\" Lovelace".into(),
         automatic_resolution: Automatic::Off,
         ..Settings::default()
     };
@@ -39,10 +40,27 @@ fn without_a_file_the_settings_are_the_defaults_and_nothing_is_reported() {
 #[test]
 fn a_broken_file_is_renamed_and_reported() {
     for (text, expected) in [
-        ("ui_scale = ", "line 1"),
+        (
+            "ui_scale = ",
+            "line 1: `ui_scale =` has no value behind the equals sign",
+        ),
+        (
+            "ui_scale = 1,5",
+            "line 1: `1,5` has a comma where a number has a point: did you mean 1.5?",
+        ),
         ("version = 0", "version = 0 is refused: it must be 1"),
-        ("version = \"new\"", "line 1: invalid type"),
-        ("\nui_skale = 1.0", "ui_skale"),
+        (
+            "version = \"new\"",
+            "line 1: version = \"new\" is refused: it must be a whole number",
+        ),
+        (
+            "\nui_skale = 1.0",
+            "line 2: unknown field `ui_skale`; did you mean `ui_scale`?",
+        ),
+        (
+            "pupil = \"Ada\\nLovelace\"",
+            "it must be one line of at most 60 characters",
+        ),
         (
             "ui_scale = 40.0",
             "ui_scale = 40 is refused: it must be a number from 0.6 to 2.5",
@@ -51,7 +69,10 @@ fn a_broken_file_is_renamed_and_reported() {
             "volume = 1.5",
             "volume = 1.5 is refused: it must be a number from 0 to 1",
         ),
-        ("volume = \"loud\"", "line 1: invalid type"),
+        (
+            "volume = \"loud\"",
+            "line 1: volume = \"loud\" is refused: it must be a number",
+        ),
         ("frame_rate = nan", "frame_rate = NaN is refused"),
         (
             "most_frames = -1.0",
@@ -65,7 +86,10 @@ fn a_broken_file_is_renamed_and_reported() {
             "[buttons]\n\"window.help\" = [\"A\"]\n\"window.panel\" = [\"A\"]",
             "A is given to both window.help and window.panel",
         ),
-        ("[adapter]\nname = \"A card\"", "backend"),
+        (
+            "[adapter]\nname = \"A card\"",
+            "line 1: adapter has no field `backend`",
+        ),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("settings.toml");

@@ -1,7 +1,7 @@
 //! What was reached in missions, as a file of comma-separated values: one row for each attempt that
 //! came to its end. A class can hand the file in.
 
-use super::result_file::{MAX_BYTES, cell, rewrite};
+use super::result_file::{MAX_BYTES, cell, rewrite, text_cell, text_of_cell};
 use lightfall_core::scene::mission::Quantity;
 use lightfall_platform::storage;
 use std::cmp::Ordering;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// The columns.
 const HEADER: &str = "mission,outcome,lamps,attempt,own_time,far_time,rapidity_used,par_quantity,par_reached,peak_g,\
-                      peak_tide_g_per_metre,lowest_r,error,answer,is_right";
+                      peak_tide_g_per_metre,lowest_r,error,answer,is_right,time,pupil";
 /// How every header of an earlier version begins, too.
 const HEADER_START: &str = "mission,outcome,";
 
@@ -44,7 +44,14 @@ pub struct MissionResult {
     pub answer: Option<f64>,
     /// Whether that answer is right.
     pub is_right: Option<bool>,
+    /// When the attempt came to its end, in UTC, as RFC 3339 writes it. Empty in rows of earlier versions.
+    pub time: String,
+    /// Who flew. Empty if the settings name nobody.
+    pub pupil: String,
 }
+
+/// The number of columns. The last one, a text, may have commas.
+const COLUMNS: usize = 17;
 
 impl MissionResult {
     /// The result as a row.
@@ -70,6 +77,8 @@ impl MissionResult {
             optional(self.answer),
             self.is_right
                 .map_or(String::new(), |right| right.to_string()),
+            self.time.clone(),
+            text_cell(&self.pupil),
         ]
         .join(",")
     }
@@ -101,7 +110,7 @@ impl MissionResult {
     /// The result of a row. `None` if it is not one.
     #[must_use]
     pub fn read(row: &str) -> Option<Self> {
-        let cells: Vec<&str> = row.trim_end().split(',').collect();
+        let cells: Vec<&str> = row.trim_end().splitn(COLUMNS, ',').collect();
         let number = |index: usize| cells.get(index)?.parse::<f64>().ok();
         // A value that was not finite has an empty cell.
         let measured = |index: usize| match cells.get(index) {
@@ -128,6 +137,8 @@ impl MissionResult {
             error: measured(12)?,
             answer: number(13),
             is_right: cells.get(14).and_then(|cell| cell.parse().ok()),
+            time: cells.get(15).copied().unwrap_or_default().into(),
+            pupil: cells.get(16).copied().map(text_of_cell).unwrap_or_default(),
         })
     }
 }

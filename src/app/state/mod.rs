@@ -22,7 +22,7 @@ pub(crate) mod preferences;
 pub(crate) mod preset_row;
 pub(crate) mod rebinding;
 pub(crate) mod resolution;
-mod result_file;
+pub(crate) mod result_file;
 pub(crate) mod scene_editor;
 pub(crate) mod settings;
 pub(crate) mod settings_fault;

@@ -1,9 +1,12 @@
 //! Tables of results, which a class can hand in: files of comma-separated values that appear whole or not
 //! at all.
 
+use lightfall_lab::circumstances::date;
 use lightfall_platform::storage::{self, TextError};
 use std::io::ErrorKind;
 use std::path::Path;
+use std::time::Duration;
+use web_time::{SystemTime, UNIX_EPOCH};
 
 /// Largest size of a file, in bytes.
 pub(super) const MAX_BYTES: u64 = 8 << 20;
@@ -60,11 +63,45 @@ pub(super) fn cell(number: f64) -> String {
     }
 }
 
-/// A text as a cell: in quotes where it has a comma, a quote or a line break (RFC 4180).
-pub(super) fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
+/// Signs with which a spreadsheet begins a formula, as they are typed and in full width.
+const FORMULA_SIGNS: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
+
+/// A text that somebody has written, as a cell of one line: in quotes where it has a comma, a semicolon or a
+/// quote (RFC 4180). An apostrophe before the sign of a formula makes spreadsheets show the text and compute
+/// nothing, also those that begin a cell behind a semicolon.
+pub(super) fn text_cell(text: &str) -> String {
+    let printed = text.replace(char::is_control, " ");
+    let parts = printed.trim().split(';').map(|part| {
+        let part = part.trim();
+        match part.starts_with(FORMULA_SIGNS) {
+            true => format!("'{part}"),
+            false => part.to_owned(),
+        }
+    });
+    let line = parts.collect::<Vec<_>>().join("; ");
+    if line.contains([',', ';', '"']) {
+        format!("\"{}\"", line.replace('"', "\"\""))
     } else {
-        text.to_owned()
+        line
     }
+}
+
+/// The text of a cell that [`text_cell`] has written.
+pub(super) fn text_of_cell(cell: &str) -> String {
+    let inside = cell.strip_prefix('"').and_then(|it| it.strip_suffix('"'));
+    inside.map_or_else(|| cell.to_owned(), |inside| inside.replace("\"\"", "\""))
+}
+
+/// The time now, in UTC and to the second, as RFC 3339 writes it.
+pub(crate) fn time_now() -> String {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    time_in_utc(now.unwrap_or_default())
+}
+
+/// A time in UTC and to the second, as RFC 3339 writes it, e.g. `2026-03-01T09:05:00Z`.
+#[must_use]
+pub fn time_in_utc(since_1970: Duration) -> String {
+    let seconds = since_1970.as_secs() % 86_400;
+    let [hours, minutes, seconds] = [seconds / 3600, seconds / 60 % 60, seconds % 60];
+    format!("{}T{hours:02}:{minutes:02}:{seconds:02}Z", date(since_1970))
 }

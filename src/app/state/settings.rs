@@ -7,6 +7,7 @@ use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::reason::reason;
+use lightfall_core::scene::TomlFault;
 use lightfall_platform::storage::{self, TextError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
@@ -56,6 +57,8 @@ pub struct Settings {
     pub volume: f64,
     /// The hole's mass for the read-outs, in solar masses.
     pub hole_mass_suns: f64,
+    /// Who answers questions and flies missions, for the results that a class hands in. Empty for nobody.
+    pub pupil: String,
     /// The graphics adapter that draws the window from the next start on. None for the best.
     pub adapter: Option<AdapterName>,
     /// Keys of the controls whose keys differ from the defaults.
@@ -105,6 +108,8 @@ pub const MOUSE_SENSITIVITIES: [f64; 2] = [0.1, 5.0];
 pub const VOLUMES: [f64; 2] = [0.0, 1.0];
 /// The range of the hole's mass, in solar masses.
 pub const HOLE_MASSES: [f64; 2] = [0.1, 1e11];
+/// The largest number of characters of `pupil`.
+pub const MAX_PUPIL_CHARS: usize = 60;
 /// The range of the frame rates, in frames per second.
 pub const FRAME_RATES: [f64; 2] = [5.0, 240.0];
 
@@ -128,6 +133,7 @@ impl Default for Settings {
             invert_y: false,
             volume: 0.5,
             hole_mass_suns: MASSES[0].suns,
+            pupil: String::new(),
             adapter: None,
             keys: BTreeMap::new(),
             buttons: BTreeMap::new(),
@@ -167,15 +173,8 @@ impl Settings {
 
     /// Reads the text of a settings file that is not of a newer version.
     fn read_present(text: &str) -> Result<Self, String> {
-        let settings: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| {
-                1 + text[..span.start.min(text.len())].matches('\n').count()
-            });
-            format!(
-                "line {line}: {}",
-                error.message().lines().collect::<Vec<_>>().join(", ")
-            )
-        })?;
+        let settings: Self =
+            toml::from_str(text).map_err(|error| TomlFault::new(text, &error).to_string())?;
         settings.check().map(|()| settings)
     }
 
@@ -209,6 +208,12 @@ impl Settings {
         )?;
         within("volume", self.volume, VOLUMES)?;
         within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
+        if !is_line(&self.pupil, MAX_PUPIL_CHARS) {
+            return Err(format!(
+                "pupil = {:?} is refused: it must be one line of at most {MAX_PUPIL_CHARS} characters",
+                self.pupil
+            ));
+        }
         let usual = KeyLabels::default();
         Bindings::new(&self.keys, &usual)?;
         PadBindings::new(&self.buttons, &usual).map(drop)
@@ -258,6 +263,11 @@ impl Settings {
             )
         })
     }
+}
+
+/// Whether a text is one line, of so many characters at most.
+fn is_line(text: &str, most: usize) -> bool {
+    text.chars().count() <= most && !text.chars().any(char::is_control)
 }
 
 /// The version that a settings file names, if it is TOML and names one.

@@ -107,7 +107,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
         named("is longer than 1048576 bytes; presets, missions and journeys are short TOML texts")
     );
     fs::write(&path, "camera.r = 0.5").unwrap();
-    let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
+    let sentence = "line 1: camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
                     horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(fault(&of_preset(&path)), named(sentence));
 }
@@ -254,7 +254,7 @@ fn missions_are_checked_by_name_and_path_and_one_that_its_solution_misses_is_ref
     assert_eq!(missed, "FILE: the solution reaches 0 of 1 goal");
     let unknown = with("brief = ", "brieff = ").unwrap_err();
     assert!(
-        unknown.starts_with("FILE: line 11, column 1: unknown field `brieff`"),
+        unknown.starts_with("FILE: line 11: unknown field `brieff`; did you mean `brief`?"),
         "{unknown}"
     );
     let no_start = with("r = 10.0", "r = 0.5").unwrap_err();

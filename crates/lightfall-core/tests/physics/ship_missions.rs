@@ -178,12 +178,15 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
         load(name, &text.replace(from, to)).unwrap_err().to_string()
     };
     let before = text.find("brief =").unwrap();
-    let line = format!("line {}, ", 1 + text[..before].matches('\n').count());
+    let line = format!("line {}: ", 1 + text[..before].matches('\n').count());
     for (from, to, words) in [
         (
             "brief =",
             "breif =",
-            [line.as_str(), "unknown field `breif`"],
+            [
+                line.as_str(),
+                "unknown field `breif`; did you mean `brief`?",
+            ],
         ),
         (
             "\"r <= 1.6\"",
@@ -218,7 +221,10 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
         (
             "observer = \"static\"",
             "observer = \"still\"",
-            ["unknown variant `still`", "`static`"],
+            [
+                "observer = \"still\" is refused",
+                "it must be one of static, zamo,",
+            ],
         ),
         (
             "schema = 1",
@@ -248,7 +254,7 @@ fn faults_of_a_mission_are_named_with_their_line_or_key() {
         (
             "\"fly.left\"",
             "\"fly.lefft\"",
-            ["unknown variant `fly.lefft`", "`fly.left`"],
+            ["\"fly.lefft\" is refused", "did you mean fly.left?"],
         ),
         (
             "\"fly.left\"",

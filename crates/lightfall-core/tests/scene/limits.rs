@@ -1,5 +1,6 @@
 //! The limits of fields that depend on others, and which of two conflicting fields is blamed.
 
+use crate::journey_faults::without_line;
 use lightfall_core::scene::{Override, Scene, SceneError, load};
 
 fn with(text: &str, sets: &[&str]) -> Result<Scene, SceneError> {
@@ -10,8 +11,9 @@ fn with(text: &str, sets: &[&str]) -> Result<Scene, SceneError> {
     load("my.toml", text, &sets)
 }
 
+/// What is said of a preset, without the number of the line.
 fn preset(text: &str) -> String {
-    with(text, &[]).unwrap_err().to_string()
+    without_line(&with(text, &[]).unwrap_err().to_string())
 }
 
 #[test]

@@ -56,8 +56,13 @@ fn line_number(text: &str, at: usize) -> usize {
     1 + before.filter(|byte| **byte == b'\n').count()
 }
 
-/// A part of a text as a sentence quotes it: its first line, if that is not too long.
+/// A part of a text between backticks, as a sentence quotes it.
 fn shown(part: &str) -> String {
+    format!("`{}`", first_line(part))
+}
+
+/// The first line of a part of a text, if that is not too long.
+fn first_line(part: &str) -> String {
     const MAX_CHARS: usize = 60;
     let mut lines = part.trim().lines();
     let first = lines.next().unwrap_or_default().trim_end();
@@ -66,5 +71,5 @@ fn shown(part: &str) -> String {
     if printed().count() > MAX_CHARS || lines.next().is_some() {
         short.push_str("...");
     }
-    format!("`{short}`")
+    short
 }

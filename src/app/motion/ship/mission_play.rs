@@ -9,6 +9,7 @@ use crate::app::state::end_card::{Closes, EndCard};
 use crate::app::state::mission_results::MissionResult;
 use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
 use crate::app::state::preferences::Preferences;
+use crate::app::state::result_file::time_now;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::reading_time;
 use bevy::prelude::*;
@@ -208,7 +209,11 @@ pub(super) fn watch_mission(
         play.failed += 1;
     }
     let lit = lamps(attempt, solution_time);
-    let kept = result_row(attempt, lit, play.ended);
+    let kept = MissionResult {
+        time: time_now(),
+        pupil: preferences.settings.pupil.clone(),
+        ..result_row(attempt, lit, play.ended)
+    };
     let hint = (!has_succeeded)
         .then(|| due_hint(&attempt.mission.hints, play.failed))
         .flatten();
@@ -278,5 +283,7 @@ fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult
         error: flown.flight.ship.error().stated(),
         answer: None,
         is_right: None,
+        time: String::new(),
+        pupil: String::new(),
     }
 }

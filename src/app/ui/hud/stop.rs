@@ -7,6 +7,8 @@ use crate::app::controls::control::AppCommand;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::helm::CommandSender;
 use crate::app::state::lesson_results::LessonAnswer;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::result_file::time_now;
 use crate::app::state::toast::Toast;
 use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::{Screen, text_box};
@@ -44,6 +46,7 @@ pub(super) fn show_stop(
     mut screen: Screen,
     mut player: ResMut<JourneyPlayer>,
     (bindings, pads, connected): (Res<Bindings>, Res<PadBindings>, Query<&Gamepad>),
+    preferences: Res<Preferences>,
     mut answer: Local<Answer>,
     (mut commands, mut toast): (CommandSender, ResMut<Toast>),
 ) {
@@ -116,12 +119,17 @@ pub(super) fn show_stop(
         commands.send(command);
     }
     if let Some(judged) = judged {
-        keep(&mut player, &judged, |fault| toast.say(fault));
+        let pupil = preferences.settings.pupil.as_str();
+        keep(&mut player, (&judged, pupil), |fault| toast.say(fault));
     }
 }
 
-/// Notes an answer, and keeps it in the file of results, if there is one.
-fn keep(player: &mut JourneyPlayer, judged: &JudgedAnswer, say: impl FnOnce(String)) {
+/// Notes an answer, and keeps it with the pupil's name in the file of results, if there is one.
+fn keep(
+    player: &mut JourneyPlayer,
+    (judged, pupil): (&JudgedAnswer, &str),
+    say: impl FnOnce(String),
+) {
     let Some(noted) = player.note_answer(judged.is_right) else {
         return;
     };
@@ -131,6 +139,8 @@ fn keep(player: &mut JourneyPlayer, judged: &JudgedAnswer, say: impl FnOnce(Stri
         answer: judged.number,
         is_right: judged.is_right,
         tries: noted.tries,
+        time: time_now(),
+        pupil: pupil.into(),
     };
     let kept = lesson_results_file().map(|file| answer.keep(&file));
     if let Some(Err(fault)) = kept {

@@ -8,7 +8,8 @@ use crate::app::controls::table::CONTROLS;
 use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::settings::{
-    Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES, VOLUMES,
+    Automatic, FRAME_RATES, MAX_PUPIL_CHARS, MOUSE_SENSITIVITIES, PictureShape, Settings,
+    UI_SCALES, VOLUMES,
 };
 use crate::app::state::sound::NO_SOUND;
 use bevy::prelude::*;
@@ -160,6 +161,10 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings, no_sound: Option<&str>) {
                 volume(ui, &mut settings.volume);
                 ui.end_row();
             }
+            ui.label("Pupil")
+                .on_hover_text("A name that stands in every row of the results of lessons and missions");
+            pupil(ui, &mut settings.pupil);
+            ui.end_row();
             ui.label("Average frames at rest").on_hover_text(
                 "While nothing moves, the picture becomes the mean of 16 frames, whose rays go through other places of each \
                  pixel. Auto: on with a graphics card",
@@ -189,6 +194,17 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings, no_sound: Option<&str>) {
             "No sound crosses vacuum: what you hear aboard the ship are its instruments.",
         ),
     );
+}
+
+/// A field for a name, of one line as the settings file has it.
+fn pupil(ui: &mut egui::Ui, setting: &mut String) {
+    let edit = egui::TextEdit::singleline(setting)
+        .hint_text("none")
+        .char_limit(MAX_PUPIL_CHARS)
+        .desired_width(180.0);
+    if ui.add(edit).changed() {
+        setting.retain(|c| !c.is_control());
+    }
 }
 
 /// A slider for the volume, in percent.

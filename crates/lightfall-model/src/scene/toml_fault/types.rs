@@ -2,7 +2,7 @@
 
 use super::head::{name_in_head, one_table, several_tables};
 use super::tokens::Tokens;
-use super::{TomlFault, shown};
+use super::{TomlFault, first_line, shown};
 use crate::scene::nearest_name;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
@@ -41,7 +41,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
     }
     let given = text.get(span.clone()).unwrap_or_default();
     let refused = |allowed: &str| {
-        let given = shown(given);
+        let given = first_line(given);
         match &name {
             Some(name) => format!("{name} = {given} is refused: it must be {allowed}"),
             None => format!("{given} is refused: it must be {allowed}"),
