@@ -629,7 +629,10 @@ fn a_corrected_result_replaces_its_own_row_whatever_the_file_has_meanwhile() {
     results.correct_last(answered.clone()).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
     assert!(
-        text.lines().next().unwrap().ends_with(",answer,is_right,time,pupil"),
+        text.lines()
+            .next()
+            .unwrap()
+            .ends_with(",answer,is_right,time,pupil"),
         "{text}"
     );
     assert_eq!(lines()[0], "sample,reached,3,1,1,1,1,,,1,1,2,1e-12,");

@@ -19,4 +19,5 @@ mod random;
 mod step_policy;
 mod stops;
 mod text;
+mod toml_faults;
 mod words;

@@ -118,11 +118,6 @@ impl SceneError {
         let line = key.and_then(|key| line_of(text, None, key));
         Self { line, ..self }
     }
-
-    /// The same error of a text that nobody reads.
-    pub(super) fn without_line(self) -> Self {
-        Self { line: None, ..self }
-    }
 }
 
 impl std::error::Error for SceneError {}

@@ -96,6 +96,5 @@ impl Preset {
             self.text,
             overrides,
         )
-        .map_err(SceneError::without_line)
     }
 }

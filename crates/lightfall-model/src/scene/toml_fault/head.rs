@@ -1,6 +1,6 @@
 //! The heads of tables, `[camera]` and `[[stop]]`.
 
-use super::{TomlFault, shown};
+use super::{TomlFault, line_number, shown};
 
 /// The tables of which a journey or a mission has several.
 const LISTS: [&str; 9] = [
@@ -51,7 +51,7 @@ pub(super) fn told(
         let is_single = |line: &str| line.trim_start().starts_with(&single);
         let first = text.lines().position(is_single);
         return Some(TomlFault {
-            line: first.map(|before| before + 1),
+            line: Some(first.map_or_else(|| line_number(text, at), |before| before + 1)),
             said: one_table(name),
         });
     }

@@ -1,7 +1,7 @@
 //! Values that are no numbers, switches or texts in quotes as TOML writes them.
 
 use super::shown;
-use toml::Table;
+use toml::de::DeTable;
 
 /// The quotes that programs for writing put in place of straight ones.
 const TYPOGRAPHIC: [char; 9] = ['“', '”', '„', '‟', '«', '»', '‘', '’', '‚'];
@@ -9,7 +9,7 @@ const TYPOGRAPHIC: [char; 9] = ['“', '”', '„', '‟', '«', '»', '‘', '
 /// What is wrong with the value of a field, and what was meant. None for a value without a fault. The name
 /// of the field, if it is known, is repeated.
 pub(super) fn told(name: Option<&str>, value: &str) -> Option<String> {
-    let is_fine = toml::from_str::<Table>(&format!("x = {value}")).is_ok();
+    let is_fine = DeTable::parse(&format!("x = {value}")).is_ok();
     let first = value.chars().next().filter(|_| !is_fine)?;
     let written = |value: &str| match name {
         Some(name) => shown(&format!("{name} = {value}")),
@@ -66,7 +66,7 @@ pub(super) fn switch(word: &str) -> Option<bool> {
 /// What is wrong with a value that begins with a number.
 fn number(value: &str, given: &str) -> Option<String> {
     let is_part = |c: char| c.is_ascii_digit() || "+-._ ".contains(c);
-    let end = value.find(|c| !is_part(c)).unwrap_or(value.len());
+    let end = value.find(|c: char| !is_part(c)).unwrap_or(value.len());
     let (number, unit) = value.split_at(end);
     let digits: String = number.chars().filter(|c| !" _".contains(*c)).collect();
     let meant: f64 = digits.parse().ok()?;

@@ -52,7 +52,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
     }
     // Whole numbers of more than 64 bits, in the words of the parser for each size.
     let too_large = ["overflow", "too large", "any valid TOML value"];
-    if too_large.iter().any(|words| message.contains(words)) {
+    if too_large.iter().any(|words| message.contains(*words)) {
         return refused("a smaller number");
     }
     if message == "wanted string or table" {
@@ -60,7 +60,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
     }
     let is_of_type = ["invalid type", "invalid value", "invalid length"];
     match expected {
-        Some(expected) if is_of_type.iter().any(|start| message.starts_with(start)) => {
+        Some(expected) if is_of_type.iter().any(|start| message.starts_with(*start)) => {
             refused(&in_words(expected))
         }
         // What the reader of the field says itself.
