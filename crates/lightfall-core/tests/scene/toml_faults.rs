@@ -205,6 +205,16 @@ fn switches_and_lines_that_are_no_fields_lead_to_what_was_meant() {
             "`velocity = [0, 0, 1` opens a bracket `[` that nothing closes: write `]`",
         ),
         (
+            "velocity = [0 0 1]",
+            3,
+            "`0 0 1` has no commas: they stand between the values of a list",
+        ),
+        (
+            "inspector = { at = [0.5, 0.5 }",
+            3,
+            "`inspector = { at = [0.5, 0.5 }` opens a bracket `[` that nothing closes: write `]`",
+        ),
+        (
             "r = 3\nr = 4",
             4,
             "`r` is given twice: a table has each field once",

@@ -209,11 +209,8 @@ pub(super) fn watch_mission(
         play.failed += 1;
     }
     let lit = lamps(attempt, solution_time);
-    let kept = MissionResult {
-        time: time_now(),
-        pupil: preferences.settings.pupil.clone(),
-        ..result_row(attempt, lit, play.ended)
-    };
+    let pupil = preferences.settings.pupil.as_str();
+    let kept = result_row(attempt, (lit, play.ended), pupil);
     let hint = (!has_succeeded)
         .then(|| due_hint(&attempt.mission.hints, play.failed))
         .flatten();
@@ -260,8 +257,8 @@ fn due_hint(hints: &[Hint], failed: u32) -> Option<&str> {
         .map(|hint| hint.text.as_str())
 }
 
-/// What is kept of an attempt.
-fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult {
+/// What is kept of an attempt that has come to its end now, with the lamps that are lit and its number.
+fn result_row(attempt: &Attempt, (lit, number): ([bool; 3], u32), pupil: &str) -> MissionResult {
     let mission = &attempt.mission;
     let flown = attempt.scored();
     let mass = HoleMass::of_suns(mission.hole.mass_suns);
@@ -272,7 +269,7 @@ fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult
         mission: mission.name.clone(),
         reached: lit[0],
         lamps: lit.into_iter().filter(|lit| *lit).count(),
-        attempt: attempts,
+        attempt: number,
         own_time: clocks.own,
         far_time: clocks.far,
         rapidity_used: flown.flight.rocket.used(),
@@ -283,7 +280,7 @@ fn result_row(attempt: &Attempt, lit: [bool; 3], attempts: u32) -> MissionResult
         error: flown.flight.ship.error().stated(),
         answer: None,
         is_right: None,
-        time: String::new(),
-        pupil: String::new(),
+        time: time_now(),
+        pupil: pupil.into(),
     }
 }

@@ -189,6 +189,8 @@ fn words(run: &Run<'_>) -> Option<String> {
         return None;
     }
     let given = shown(run.words);
+    let mut parts = run.words.split_whitespace();
+    let are_numbers = parts.all(|part| part.parse::<f64>().is_ok());
     let is_word = run.words.starts_with(char::is_alphabetic);
     match run.before? {
         TokenKind::BasicString if run.words.contains('"') => Some(format!(
@@ -204,6 +206,13 @@ fn words(run: &Run<'_>) -> Option<String> {
         | TokenKind::RightCurlyBracket => Some(format!(
             "{given} stands behind a value: a line has one field, and a remark begins with `#`"
         )),
+        TokenKind::LeftSquareBracket | TokenKind::Comma
+            if are_numbers && run.words.contains(' ') =>
+        {
+            Some(format!(
+                "{given} has no commas: they stand between the values of a list"
+            ))
+        }
         TokenKind::Equals | TokenKind::LeftSquareBracket => scalar::told(None, run.words),
         // In a table between braces the name of a field may be meant.
         TokenKind::Comma | TokenKind::LeftCurlyBracket

@@ -55,24 +55,35 @@ impl<'a> Tokens<'a> {
         Some(last.span().start()..last.span().end())
     }
 
-    /// Where the first bracket of a value stands that is not closed.
+    /// Where the first bracket of a value stands that is not closed, or that one of another kind closes.
     pub(super) fn unclosed_bracket(&self) -> Option<usize> {
-        let mut open = Vec::new();
+        let mut open: Vec<&Token> = Vec::new();
         let mut in_value = false;
         for token in &self.tokens {
-            match token.kind() {
-                TokenKind::Equals => in_value = true,
+            let opening = match token.kind() {
+                TokenKind::RightSquareBracket => TokenKind::LeftSquareBracket,
+                TokenKind::RightCurlyBracket => TokenKind::LeftCurlyBracket,
                 TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket if in_value => {
-                    open.push(token.span().start());
+                    open.push(token);
+                    continue;
                 }
-                TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => {
-                    open.pop();
+                TokenKind::Equals => {
+                    in_value = true;
+                    continue;
                 }
-                TokenKind::Newline if open.is_empty() => in_value = false,
-                _ => {}
+                TokenKind::Newline if open.is_empty() => {
+                    in_value = false;
+                    continue;
+                }
+                _ => continue,
+            };
+            if let Some(last) = open.pop()
+                && last.kind() != opening
+            {
+                return Some(last.span().start());
             }
         }
-        open.first().copied()
+        open.first().map(|token| token.span().start())
     }
 
     /// The places of a line.
