@@ -210,6 +210,11 @@ fn switches_and_lines_that_are_no_fields_lead_to_what_was_meant() {
             "`0 0 1` has no commas: they stand between the values of a list",
         ),
         (
+            "keys = [\n\"fly.left\"\n\"fly.right\",\n]",
+            5,
+            "`\"fly.right\",` has no comma before it: commas stand between the values of the list that begins in line 3",
+        ),
+        (
             "inspector = { at = [0.5, 0.5 }",
             3,
             "`inspector = { at = [0.5, 0.5 }` opens a bracket `[` that nothing closes: write `]`",

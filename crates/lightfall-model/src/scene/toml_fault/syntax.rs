@@ -45,6 +45,17 @@ pub(super) fn told(text: &str, error: &Error) -> TomlFault {
     if let Some(fault) = early_end(text, &tokens, (at, line)) {
         return fault;
     }
+    // A line inside a list or a table of several lines.
+    if let Some(bracket) = tokens.bracket_around(at).filter(|it| *it < line_start)
+        && message.starts_with("missing comma")
+    {
+        let said = format!(
+            "{} has no comma before it: commas stand between the values of the list that begins in line {}",
+            shown(line),
+            line_number(text, bracket)
+        );
+        return TomlFault::at(text, at, said);
+    }
     let said = no_field(line)
         .or_else(|| with_comma(&tokens, at))
         .or_else(|| value(line))

@@ -57,9 +57,15 @@ impl<'a> Tokens<'a> {
 
     /// Where the first bracket of a value stands that is not closed, or that one of another kind closes.
     pub(super) fn unclosed_bracket(&self) -> Option<usize> {
+        self.bracket_around(self.text.len())
+    }
+
+    /// Where the first bracket stands that is open at this place, or that one of another kind closes before.
+    pub(super) fn bracket_around(&self, at: usize) -> Option<usize> {
         let mut open: Vec<&Token> = Vec::new();
         let mut in_value = false;
-        for token in &self.tokens {
+        let before = self.tokens.iter();
+        for token in before.take_while(|token| token.span().start() < at) {
             let opening = match token.kind() {
                 TokenKind::RightSquareBracket => TokenKind::LeftSquareBracket,
                 TokenKind::RightCurlyBracket => TokenKind::LeftCurlyBracket,

@@ -55,7 +55,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
     if too_large.iter().any(|words| message.contains(*words)) {
         return refused("a smaller number");
     }
-    if message == "wanted string or table" {
+    if message.starts_with("wanted ") {
         return refused("a word in quotes");
     }
     let is_of_type = ["invalid type", "invalid value", "invalid length"];
