@@ -232,6 +232,14 @@ fn switches_and_lines_that_are_no_fields_lead_to_what_was_meant() {
     ]);
 }
 
+#[test]
+fn another_version_of_the_format_has_its_line_too() {
+    for sentence in said("title = \"a\"\nschema = 2\n") {
+        let start = "my.toml: line 2: schema = 2 is another version";
+        assert!(sentence.starts_with(start), "{sentence}");
+    }
+}
+
 /// What is TOML may still have a single table where there must be a list, and names that no field has.
 #[test]
 fn a_journey_with_a_single_table_or_an_unknown_key_leads_to_what_was_meant() {

@@ -172,6 +172,7 @@ impl Fault {
     /// Where the fault is. None for one of the whole text.
     fn place(&self) -> Option<Place<'_>> {
         match self {
+            Self::Text(SceneFault::Schema { .. }) => Some((None, "schema")),
             Self::Text(_)
             | Self::Count { .. }
             | Self::CaptionCount { .. }

@@ -103,6 +103,7 @@ impl Fault {
     /// Where the fault is. None for one of the whole text.
     fn place(&self) -> Option<Place<'_>> {
         match self {
+            Self::Text(SceneFault::Schema { .. }) => Some((None, "schema")),
             Self::Text(_) | Self::Start(_) | Self::NoGoal => None,
             Self::Preset { .. } => Some((None, "preset")),
             Self::Number { key, .. } | Self::Line { key, .. } => Some(place_of(key)),
@@ -118,7 +119,7 @@ impl Fault {
 fn place_of(named: &str) -> Place<'_> {
     let (before, key) = named.split_once(": ").unwrap_or((named, ""));
     let numbered = before.rsplit_once(' ').and_then(|(table, number)| {
-        let number = number.parse().ok()?;
+        let number = number.parse::<usize>().ok()?;
         Some((table, number))
     });
     match numbered {
