@@ -450,18 +450,12 @@ fn the_thrust_of_a_goal_is_off_or_has_g_beside_its_own_unit_and_is_never_rounded
 #[test]
 fn times_in_years_are_shown_in_the_unit_that_fits_them() {
     let mut player = Player::begin("ten-years");
-    let times = |player: &Player| -> Vec<[String; 2]> {
-        let rows = shown_goals(player).into_iter();
-        rows.filter(|row| row.label.ends_with(" time"))
-            .map(|row| [row.value, row.wanted])
-            .collect()
-    };
     player.pass(0.0);
-    let [home, own] = &times(&player)[..] else {
-        panic!("{:?}", shown_goals(&player));
-    };
-    assert_eq!(home[1], "≥ 10 years");
-    assert_eq!(own[..], ["9.18 minutes", "≤ 1 year"]);
+    let rows = shown_goals(&player);
+    let of = |label: &str| rows.iter().find(|row| row.label == label).unwrap();
+    assert_eq!(of("home's time").wanted, "≥ 10 years");
+    let own = of("your time");
+    assert_eq!((&*own.value, &*own.wanted), ("9.18 minutes", "≤ 1 year"));
 }
 
 /// A caption, a hint or a condition that names a quantity leaves no pilot without it, however small the
