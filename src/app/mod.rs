@@ -52,7 +52,7 @@ pub use state::lesson_results::LessonAnswer;
 pub use state::lessons::next_lesson;
 pub use state::menu::{Menu, MenuEntry, MenuList};
 pub use state::mission_results::{MissionResult, MissionResults};
-pub use state::missions::next_not_reached;
+pub use state::missions::{first_choice, next_not_reached};
 pub use state::preferences::Preferences;
 pub use state::preset_row::{RowPreset, preset_beside};
 pub use state::resolution::{Canvas, Resolution};

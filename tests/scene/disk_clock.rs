@@ -114,6 +114,8 @@ fn a_second_of_the_window_is_said_in_times_of_the_chosen_hole() {
         (59.0, "59 s"),
         (5400.0, "1.5 hours"),
         (86_400.0 * 2.0, "2 days"),
+        (86_400.0, "1 day"),
+        (3.155_76e7, "1 year"),
         (3.155_76e8, "10 years"),
     ] {
         assert_eq!(duration_in_words(seconds), words);

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 use lightfall::app::{
-    Bindings, FlightStep, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick, Wanted,
-    control_named, instruments, lamps, map_half_width, next_not_reached, outside_horizon,
-    solution_time, unknown_controls, wanted,
+    Bindings, FlightStep, HoldKind, MissionResult, MissionResults, ShipFlight, ShipFrame, Stick,
+    Wanted, control_named, first_choice, instruments, lamps, map_half_width, next_not_reached,
+    outside_horizon, solution_time, unknown_controls, wanted,
 };
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::optics::readout::si::HoleMass;
@@ -12,7 +12,7 @@ use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Apsides, Heading, Outcome, path_ahead};
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::{self, LESSONS};
-use lightfall_core::scene::mission::{self, MISSIONS, MissionKey, Quantity};
+use lightfall_core::scene::mission::{self, MISSIONS, Mission, MissionKey, Quantity};
 
 /// A frame of a slow machine.
 const FRAME: f64 = 0.05;
@@ -25,17 +25,26 @@ struct Player {
 
 impl Player {
     fn begin(name: &str) -> Self {
-        let mission = mission::built_in(name).unwrap();
+        Self::of(&mission::built_in(name).unwrap())
+    }
+
+    fn of(mission: &Mission) -> Self {
         let scene = mission.scene().clone();
         let mut ship = ShipFlight::default();
-        ship.start(&mission, &scene).unwrap();
+        ship.start(mission, &scene).unwrap();
         Self { ship, scene }
     }
 
     #[track_caller]
     fn pass(&mut self, thrust: f64) {
+        self.pass_in(FRAME, thrust);
+    }
+
+    /// A frame in which so many seconds pass for the ship, none of them in a pause.
+    #[track_caller]
+    fn pass_in(&mut self, seconds: f64, thrust: f64) {
         let frame = ShipFrame {
-            seconds: FRAME,
+            seconds,
             turn_seconds: FRAME,
             stick: Stick {
                 thrust: thrust * DVec3::X,
@@ -71,6 +80,11 @@ impl Player {
 
     fn outcome(&self) -> Outcome {
         self.ship.attempt().unwrap().outcome()
+    }
+
+    /// A quantity that is known where the ship is.
+    fn value(&self, quantity: Quantity) -> f64 {
+        self.ship.voyage().unwrap().quantity(quantity).unwrap()
     }
 }
 
@@ -143,11 +157,70 @@ fn a_player_goes_back_to_the_last_goal() {
     assert!((player.scene.camera.r - 5.0).abs() < 1e-6);
 }
 
-/// A straight plunge passes the first goal of this mission on the way into the hole.
+/// A straight plunge passes the radius of the first goal, and leads into the hole.
+#[test]
+fn a_plunge_past_the_photon_sphere_reaches_no_goal_of_the_graze() {
+    let mut player = Player::begin("graze");
+    player.until(1.0, |player| matches!(player.outcome(), Outcome::Failed(_)));
+    let attempt = player.ship.attempt().unwrap();
+    assert!(attempt.scored().records().lowest < 1.5);
+    assert!(attempt.reached().is_empty());
+}
+
+/// As its captions say, by keys alone, and no more skill than frames of a twentieth of a second allow.
+#[test]
+fn ten_years_in_one_are_flown_as_its_captions_say() {
+    let mut player = Player::begin("ten-years");
+    let rate = |player: &Player| player.value(Quantity::Rate);
+    let years = |player: &Player| player.value(Quantity::TYears);
+    player.until(0.25, |player| player.apsides()[0] <= 0.61);
+    player.pass(0.0);
+    // Faster time ends by itself at the goal's radius, and near the horizon.
+    while player.scene.camera.r > 0.64 {
+        player.ship.change_pace(4);
+        player.until(0.0, |player| player.ship.pace() == 1.0);
+    }
+    player.until(0.0, |player| player.scene.camera.r <= 0.622);
+    assert_eq!(player.ship.switch_hold(HoldKind::Orbit), Ok(true));
+    player.until(0.0, |player| {
+        let [low, high] = player.apsides();
+        high - low < 1e-3
+    });
+    player.ship.engine_off();
+    player.pass(0.0);
+    player.ship.change_pace(10);
+    assert_eq!(player.ship.pace(), 1024.0);
+    player.until(0.0, |player| years(player) >= 8.0);
+    assert!(rate(&player) > 10.25, "{}", rate(&player));
+    player.ship.change_pace(-2);
+    player.until(0.0, |player| years(player) >= 9.7);
+    player.ship.change_pace(-2);
+    player.until(0.0, |player| years(player) >= 10.0);
+    assert_eq!(player.ship.face_back(), Some(Heading::Prograde));
+    for _ in 0..60 {
+        player.pass_in(0.0, 0.0);
+    }
+    player.until(1.0, |player| player.apsides()[1] > 5.0);
+    player.pass(0.0);
+    player.ship.change_pace(4);
+    player.until(0.0, |player| player.ship.attempt().unwrap().is_over());
+    assert_eq!(player.outcome(), Outcome::Success);
+}
+
+/// The graze with the goal of a radius alone, which a straight plunge passes on the way into the hole, and
+/// with fuel for it.
 #[test]
 fn going_back_restores_the_pilot_and_a_second_time_without_thrust_leads_to_the_start() {
+    let (_, text) = MISSIONS
+        .into_iter()
+        .find(|(name, _)| *name == "graze")
+        .unwrap();
+    let text = text
+        .replace("\"periapsis >= 1.5\"", "\"r >= 1.5\"")
+        .replace("rapidity = 1.6", "rapidity = 5.0");
+    let mission = mission::load("graze", &text).unwrap();
     let plunge = || {
-        let mut player = Player::begin("graze");
+        let mut player = Player::of(&mission);
         player.until(1.0, |player| player.outcome() == Outcome::UnderWay(1));
         player.ship.engine_off();
         assert_eq!(player.ship.heading(), None);
@@ -223,6 +296,38 @@ fn a_ship_without_an_engine_and_one_without_fuel_cannot_push() {
     assert!(player.ship.can_push());
     player.until(1.0, |player| player.ship.is_empty());
     assert!(player.ship.has_engine() && !player.ship.can_push());
+    // A thrust key that pushes nothing leaves faster time as it is.
+    let mut player = Player::begin("gyroscope");
+    player.ship.change_pace(2);
+    player.pass(1.0);
+    assert_eq!(player.ship.pace(), 4.0);
+}
+
+/// The value of an instrument.
+fn shown(player: &Player, label: &str, units: Units) -> String {
+    let all = instruments(&player.ship, player.ship.mass().unwrap(), units);
+    let row = all.into_iter().find(|row| row.label == label);
+    row.unwrap_or_else(|| panic!("no {label}")).value
+}
+
+#[test]
+fn fuel_is_shown_in_per_cent_of_the_tank_before_its_rapidity() {
+    let fuel = |player: &Player, units| shown(player, "fuel", units);
+    let mut player = Player::begin("two-burns");
+    let everyday = Units::Everyday(player.ship.mass().unwrap());
+    assert_eq!(
+        fuel(&player, Units::Hole),
+        "100 % (rapidity 0.1000) · mass 100 %"
+    );
+    assert_eq!(fuel(&player, everyday), "100 % (rapidity 0.1000)");
+    // A frame takes a six hundredth of the tank.
+    player.until(1.0, |player| player.value(Quantity::RapidityUsed) > 0.0499);
+    let half = fuel(&player, everyday);
+    assert!(half.starts_with("50 % (rapidity 0.0"), "{half}");
+    player.until(1.0, |player| player.ship.is_empty());
+    assert_eq!(fuel(&player, everyday), "the tank is empty");
+    let player = Player::begin("gyroscope");
+    assert_eq!(fuel(&player, Units::Hole), "no engine");
 }
 
 #[test]
@@ -294,10 +399,16 @@ fn the_goals_show_each_quantity_with_what_is_wanted_of_it() {
     let radius = Wanted {
         label: "radius",
         value: "20.00 r_s".into(),
-        wanted: "≤ 1.6 r_s, ≥ 1.5 r_s".into(),
+        wanted: "≤ 1.6 r_s".into(),
         is_met: false,
     };
-    assert_eq!(shown_goals(&player), [radius]);
+    let lowest = Wanted {
+        label: "lowest point",
+        value: "in the hole".into(),
+        wanted: "≥ 1.5 r_s".into(),
+        is_met: false,
+    };
+    assert_eq!(shown_goals(&player), [radius, lowest]);
     // What ends the mission is said near it only.
     let mut near = Player::begin("graze");
     near.until(1.0, |player| player.scene.camera.r < 1.53);
@@ -313,6 +424,40 @@ fn the_goals_show_each_quantity_with_what_is_wanted_of_it() {
     assert!(turned.is_met && !turns.is_met);
 }
 
+/// The hole of this mission has the mass of M87*, where one c^2/r_s is 477.43 g.
+#[test]
+fn the_thrust_of_a_goal_is_off_or_has_g_beside_its_own_unit_and_is_never_rounded_to_zero() {
+    let mut player = Player::begin("two-burns");
+    let thrust = |player: &Player, units| {
+        let rows = wanted(player.ship.attempt().unwrap(), units);
+        let row = rows.into_iter().find(|row| row.label == "thrust").unwrap();
+        assert_eq!(row.wanted, "engine off");
+        row.value
+    };
+    let everyday = Units::Everyday(player.ship.mass().unwrap());
+    assert_eq!(thrust(&player, Units::Hole), "off");
+    player.pass(1.0);
+    assert_eq!(thrust(&player, Units::Hole), "0.02 c²/r_s · 9.55 g");
+    assert_eq!(thrust(&player, everyday), "9.55 g");
+    // A five hundredth of it, which is the least that the wheel sets.
+    player.ship.change_thrust(-100.0);
+    player.pass(1.0);
+    assert_eq!(thrust(&player, Units::Hole), "4.00e-5 c²/r_s · 0.0191 g");
+    assert_eq!(thrust(&player, everyday), "0.0191 g");
+}
+
+/// A frame of a twentieth of a second at 5 r_s is 0.0559 r_s/c, of 9851 s.
+#[test]
+fn times_in_years_are_shown_in_the_unit_that_fits_them() {
+    let mut player = Player::begin("ten-years");
+    player.pass(0.0);
+    let rows = shown_goals(&player);
+    let of = |label: &str| rows.iter().find(|row| row.label == label).unwrap();
+    assert_eq!(of("home's time").wanted, "≥ 10 years");
+    let own = of("your time");
+    assert_eq!((&*own.value, &*own.wanted), ("9.18 minutes", "≤ 1 year"));
+}
+
 /// A caption, a hint or a condition that names a quantity leaves no pilot without it, however small the
 /// window is.
 #[test]
@@ -326,14 +471,11 @@ fn what_a_mission_names_is_shown_in_the_smallest_window() {
     };
     let cases: [(&str, &[&str]); 7] = [
         ("two-burns", &["lowest point", "highest point", "thrust"]),
-        (
-            "graze",
-            &["radius, speed", "rapidity left", "lowest point", "E"],
-        ),
+        ("graze", &["radius, speed", "fuel", "lowest point", "E"]),
         ("sample", &["speed in gas", "lowest point"]),
         ("penrose", &["energy ratio"]),
-        ("longest", &["life inside", "rapidity left"]),
-        ("ten-years", &["home's years", "your years"]),
+        ("longest", &["life inside", "fuel"]),
+        ("ten-years", &["home's time", "your time"]),
         ("gyroscope", &["turns", "ship turned by"]),
     ];
     for (name, labels) in cases {
@@ -599,6 +741,32 @@ fn the_next_mission_is_the_first_one_after_this_that_was_not_reached_or_one_befo
     assert_eq!(next("mine", &[]).as_deref(), Some("two-burns"));
     let others: Vec<&str> = MISSIONS.iter().map(|(name, _)| *name).skip(1).collect();
     assert_eq!(next("two-burns", &others), None);
+}
+
+#[test]
+fn the_list_of_missions_begins_where_the_player_was_or_at_the_next_one_that_was_not_reached() {
+    let list: Vec<_> = MISSIONS
+        .iter()
+        .map(|(name, text)| mission::load(name, text).unwrap())
+        .collect();
+    let choice = |flown, reached: &[&str]| {
+        let place = first_choice(&list, flown, |name| reached.contains(&name));
+        place.map(|place| list[place].name.as_str())
+    };
+    // At the start of the program, and after a mission that is not in the list.
+    assert_eq!(choice(None, &[]), Some("two-burns"));
+    assert_eq!(choice(None, &["two-burns"]), Some("weight"));
+    assert_eq!(choice(Some(("mine", true)), &["two-burns"]), Some("weight"));
+    // A mission that was not reached this time stays, though it was before.
+    assert_eq!(choice(Some(("graze", false)), &[]), Some("graze"));
+    assert_eq!(choice(Some(("graze", false)), &["graze"]), Some("graze"));
+    assert_eq!(
+        choice(Some(("graze", true)), &["graze", "ten-years"]),
+        Some("sample")
+    );
+    let all: Vec<&str> = MISSIONS.iter().map(|(name, _)| *name).collect();
+    assert_eq!(choice(None, &all), None);
+    assert_eq!(choice(Some(("graze", true)), &all), Some("graze"));
 }
 
 #[test]

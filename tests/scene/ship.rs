@@ -529,7 +529,7 @@ fn a_ship_that_is_bound_or_near_runs_as_fast_as_its_pace_says() {
 }
 
 #[test]
-fn less_than_a_fifth_of_the_tank_is_said_once_and_an_empty_tank_after_it() {
+fn less_than_a_fifth_of_the_tank_is_said_once_an_empty_tank_after_it_and_then_each_push_in_vain() {
     let mut scene = scene_at(100.0, ObserverKind::Static);
     let mut ship = aboard(&scene);
     let mut said = Vec::new();
@@ -542,6 +542,13 @@ fn less_than_a_fifth_of_the_tank_is_said_once_and_an_empty_tank_after_it() {
     }
     said.retain(|news| [News::LittleFuel, News::Empty].contains(news));
     assert_eq!(said, [News::LittleFuel, News::Empty]);
+    // The key is still held: a push in vain is one that begins.
+    let mut said_by = |stick| pass(&mut ship, &mut scene, &frame(0.1, stick));
+    let held = said_by(push(DVec3::Y));
+    assert_ne!(held, Some(News::NoPush));
+    assert_ne!(said_by(Stick::NEUTRAL), Some(News::NoPush));
+    assert_eq!(said_by(push(DVec3::Y)), Some(News::NoPush));
+    assert_ne!(said_by(push(DVec3::Y)), Some(News::NoPush));
 }
 
 /// The points lie on the circle that is flown; going back forgets what came after.

@@ -5,7 +5,7 @@ use lightfall::app::{
     reading_time, statement,
 };
 use lightfall_core::numbers::{
-    four_digits, spin_digits, steady_digits, three_digits, with_short_numbers,
+    four_digits, percent, spin_digits, steady_digits, three_digits, with_short_numbers,
 };
 use lightfall_core::optics::readout::si::MASSES;
 use lightfall_core::optics::readout::units::Units;
@@ -288,6 +288,17 @@ fn numbers_for_people_have_at_most_four_digits() {
     assert_eq!(
         [190.4, 0.084, 12_345.0].map(three_digits),
         ["190", "0.084", "12300"]
+    );
+    assert_eq!(
+        [0.0, 1e-9, 0.0099, 0.01, 0.7249, 1.0].map(percent),
+        [
+            "0 %",
+            "less than 1 %",
+            "less than 1 %",
+            "1 %",
+            "72 %",
+            "100 %"
+        ]
     );
     assert_eq!(
         [0.0, 0.9, 0.998, 0.99999].map(spin_digits),

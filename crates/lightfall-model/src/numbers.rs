@@ -92,21 +92,34 @@ pub fn three_digits(number: f64) -> String {
     four_digits((number * scale).round() / scale)
 }
 
+/// Seconds of a Julian year.
+pub const YEAR: f64 = 365.25 * 86_400.0;
+
 /// A time in the unit that gives it the shortest number, with at most three digits, e.g. `2.82
-/// minutes`. Years are Julian years.
+/// minutes` or `1 year`. Years are Julian years.
 pub fn duration_in_words(seconds: f64) -> String {
-    const UNITS: [(f64, &str); 6] = [
-        (365.25 * 86_400.0, "years"),
-        (86_400.0, "days"),
-        (3600.0, "hours"),
-        (60.0, "minutes"),
-        (1.0, "s"),
-        (1e-3, "ms"),
+    const UNITS: [(f64, [&str; 2]); 6] = [
+        (YEAR, ["year", "years"]),
+        (86_400.0, ["day", "days"]),
+        (3600.0, ["hour", "hours"]),
+        (60.0, ["minute", "minutes"]),
+        (1.0, ["s", "s"]),
+        (1e-3, ["ms", "ms"]),
     ];
     let largest = UNITS.iter().find(|(unit, _)| seconds.abs() >= *unit);
-    match largest {
-        Some((unit, name)) => format!("{} {name}", three_digits(seconds / unit)),
-        None => format!("{} s", three_digits(seconds)),
+    let (unit, [one, many]) = largest.unwrap_or(&(1.0, ["s", "s"]));
+    let number = three_digits(seconds / unit);
+    let name = if number == "1" { one } else { many };
+    format!("{number} {name}")
+}
+
+/// A share in whole per cent, e.g. `72 %`. Only zero itself is `0 %`.
+pub fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent > 0.0 && percent < 1.0 {
+        "less than 1 %".into()
+    } else {
+        format!("{percent:.0} %")
     }
 }
 

@@ -15,6 +15,8 @@ pub(crate) struct Missions {
     pub(crate) list: Vec<Mission>,
     /// What was reached.
     pub(crate) results: MissionResults,
+    /// The name of the mission that was begun last, and whether the last end of its attempts reached its goals.
+    flown: Option<(String, bool)>,
 }
 
 /// The question of a mission whose goals were reached, until it is answered or closed.
@@ -89,6 +91,20 @@ impl Missions {
         next_not_reached(&self.list, name, |name| self.results.best(name).is_some())
     }
 
+    /// Notes which mission has begun, or come to an end at which its goals were reached.
+    pub(crate) fn note_flown(&mut self, name: &str, has_reached: bool) {
+        self.flown = Some((name.to_owned(), has_reached));
+    }
+
+    /// Where the cursor of the list begins, as a place in it.
+    pub(crate) fn first_choice(&self) -> Option<usize> {
+        let flown = self
+            .flown
+            .as_ref()
+            .map(|(name, reached)| (name.as_str(), *reached));
+        first_choice(&self.list, flown, |name| self.results.best(name).is_some())
+    }
+
     /// Reads the missions and the results. Returns what is wrong with the user's own ones.
     pub(crate) fn read(&mut self) -> Vec<String> {
         let built_in = MISSIONS
@@ -130,6 +146,23 @@ pub fn next_not_reached<'a>(
     let (before, after) = list.split_at(here.map_or(0, |here| here + 1));
     let mut others = after.iter().chain(before);
     others.find(|mission| mission.name != name && !is_reached(&mission.name))
+}
+
+/// Where the cursor of the list begins: at the mission that was flown last or, if its last end reached its
+/// goals, at the next one that was not reached; at the start of the program, and after a mission that is
+/// not in the list, at the first one that was not reached. `None` where every mission is reached.
+#[must_use]
+pub fn first_choice(
+    list: &[Mission],
+    flown: Option<(&str, bool)>,
+    is_reached: impl Fn(&str) -> bool,
+) -> Option<usize> {
+    let place_of = |name: &str| list.iter().position(|mission| mission.name == name);
+    let Some((flown, has_reached)) = flown.filter(|(name, _)| place_of(name).is_some()) else {
+        return list.iter().position(|mission| !is_reached(&mission.name));
+    };
+    let next = next_not_reached(list, flown, is_reached).filter(|_| has_reached);
+    place_of(next.map_or(flown, |next| next.name.as_str()))
 }
 
 pub(crate) fn plugin(app: &mut App) {

@@ -5,6 +5,7 @@ use crate::app::controls::control::AppCommand;
 use crate::app::input::touch::{Fingers, read_fingers};
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::ship::ShipFlight;
 use crate::app::state::helm::{CommandSender, FingerPushes};
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
@@ -96,11 +97,35 @@ const AT_HELM: [(&str, Use); 8] = [
     ("Menu", Use::Command(AppCommand::Escape)),
 ];
 
+/// What the bar says in place of what needs an engine.
+fn lack_of_push(ship: &ShipFlight) -> Option<&'static str> {
+    if ship.can_push() {
+        None
+    } else if ship.has_engine() {
+        Some("The tank is empty")
+    } else {
+        Some("The ship has no engine")
+    }
+}
+
+/// The buttons at the controls of this ship: where the engine cannot push, those that need it give way to
+/// the one that goes back.
+fn helm_buttons(ship: &ShipFlight) -> Vec<(&'static str, Use)> {
+    use AppCommand::{Hover, LetGo, OrbitCamera, Undo};
+    if ship.can_push() {
+        return AT_HELM.to_vec();
+    }
+    let needs_engine =
+        |does: Use| matches!(does, Use::Push | Use::Command(OrbitCamera | Hover | LetGo));
+    let others = AT_HELM.into_iter().filter(|(_, does)| !needs_engine(*does));
+    others.chain([("Back", Use::Command(Undo))]).collect()
+}
+
 fn show_touch_bar(
     mut contexts: EguiContexts,
     mut layout: ResMut<Layout>,
     overlays: Res<Overlays>,
-    (free_fall, player): (Res<FreeFall>, Res<JourneyPlayer>),
+    (free_fall, player, ship): (Res<FreeFall>, Res<JourneyPlayer>, Res<ShipFlight>),
     mut bar: ResMut<TouchBar>,
     mut menu: ResMut<Menu>,
     mut commands: CommandSender,
@@ -113,10 +138,11 @@ fn show_touch_bar(
     let at_helm = commands.helm.has_ship() && !overlays.hidden;
     let context = contexts.ctx_mut()?;
     let buttons = if at_helm {
-        AT_HELM.to_vec()
+        helm_buttons(&ship)
     } else {
         buttons(&overlays, free_fall.is_moving(), player.is_playing())
     };
+    let remark = lack_of_push(&ship).filter(|_| at_helm);
     // Between the panels or, if they leave too little room, over them.
     let mut room = layout.bounds();
     if room.width() < buttons.len() as f32 * (BUTTON.x + GAP) + GAP {
@@ -140,6 +166,9 @@ fn show_touch_bar(
             text_box(GAP, 8.0).show(ui, |ui| {
                 ui.spacing_mut().item_spacing = egui::Vec2::splat(GAP);
                 ui.horizontal_wrapped(|ui| {
+                    if let Some(remark) = remark {
+                        ui.label(egui::RichText::new(remark).size(TEXT));
+                    }
                     for (text, does) in buttons {
                         let text = egui::RichText::new(text).size(TEXT);
                         let button = ui.add(egui::Button::new(text).min_size(BUTTON));

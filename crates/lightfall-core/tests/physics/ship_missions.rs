@@ -5,7 +5,7 @@ use lightfall_core::optics::ship::{
     Apsides, Attempt, Event, Heading, Hold, Orders, Outcome, Records, SolutionError, Thrust, fly,
 };
 use lightfall_core::scene::mission::{
-    Burn, Comparison, Condition, Course, MISSIONS, Mission, Push, Quantity, Until, load,
+    Burn, Caption, Comparison, Condition, Course, MISSIONS, Mission, Push, Quantity, Until, load,
 };
 
 fn missions() -> Vec<Mission> {
@@ -168,6 +168,70 @@ fn attempts_fail_as_their_missions_say_and_end_where_flights_end() {
             assert!((scored.records().lowest - 1.02).abs() < 1e-9);
         }
     }
+}
+
+/// Each phase of the solution, and what a player may meet in it, has its caption and no other one.
+#[test]
+fn the_captions_of_ten_years_belong_to_the_phases_of_its_flight() {
+    let mission = missions()
+        .into_iter()
+        .find(|mission| mission.name == "ten-years")
+        .unwrap();
+    let check = |attempt: &Attempt, start: &str| {
+        let captions = mission.captions.iter();
+        let due: Vec<&str> = captions
+            .filter(|caption| !caption.when.is_empty() && attempt.voyage().meets(&caption.when))
+            .map(|caption| caption.text.as_str())
+            .collect();
+        assert!(
+            due.len() == 1 && due[0].starts_with(start),
+            "{start}: {due:?}"
+        );
+    };
+    let coast = |time| Burn {
+        push: Push::Off,
+        acceleration: 0.0,
+        until: Until::Passed(time),
+    };
+    let hold = |r| Orders {
+        thrust: Thrust::Hold(Hold::Orbit(r), 3.0),
+        ..Orders::COAST
+    };
+    let parts = &mission.solution;
+    let mut attempt = Attempt::new(&mission).unwrap();
+    fly(&mut attempt, &parts[..1]).unwrap();
+    check(&attempt, "Low enough");
+    let mut lower = attempt.clone();
+    lower.order(Orders {
+        thrust: Thrust::Along(Heading::Retrograde, 0.1),
+        ..Orders::COAST
+    });
+    // 0.01 of rapidity is 0.13 r_s of the lowest point.
+    lower.advance(0.1).unwrap();
+    check(&lower, "Too low");
+    fly(&mut attempt, &parts[1..2]).unwrap();
+    check(&attempt, "Press {fly.orbit}");
+    fly(&mut attempt, &parts[2..4]).unwrap();
+    check(&attempt, "Now wait");
+    let mut held = attempt.clone();
+    held.order(hold(0.6225));
+    held.advance(0.05).unwrap();
+    check(&held, "The engine holds");
+    let mut higher = attempt.clone();
+    higher.order(hold(0.635));
+    higher.advance(3.0).unwrap();
+    higher.order(Orders::COAST);
+    let too_high = |caption: &&Caption| caption.text.starts_with("This circle is too high");
+    let caption = mission.captions.iter().find(too_high).unwrap();
+    assert!(higher.voyage().meets(&caption.when));
+    fly(&mut attempt, &[coast(2500.0)]).unwrap();
+    check(&attempt, "Eight years");
+    fly(&mut attempt, &[coast(575.0)]).unwrap();
+    check(&attempt, "Ten years");
+    fly(&mut attempt, &parts[5..6]).unwrap();
+    check(&attempt, "High enough");
+    fly(&mut attempt, &parts[6..]).unwrap();
+    assert_eq!(attempt.outcome(), Outcome::Success);
 }
 
 #[test]

@@ -11,12 +11,10 @@ use glam::DVec3;
 use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::ship::{Ship, ShipError, VectorConstants, minkowski};
 use lightfall_model::geometry::sphere::wrap_angle;
+use lightfall_model::numbers::YEAR;
 use lightfall_model::scene::Disk;
 use lightfall_model::scene::mission::{Condition, Quantity};
 use std::f64::consts::TAU;
-
-/// Seconds of a Julian year.
-const YEAR: f64 = 365.25 * 86_400.0;
 
 /// The longest piece of a voyage, as an angle of the motion: turns are counted, and conditions looked
 /// at, at the end of each.

@@ -101,7 +101,7 @@ fn the_first_mission_is_flown_by_keys_to_its_goal_and_the_result_is_kept() {
     // The list says what was reached, and a mission begins again with a full tank.
     desktop.press("shift+j");
     desktop.wait_for("the list with the result", |state| {
-        state.mentions("rapidity used 0.05")
+        state.mentions("fuel used 5")
     });
     desktop.press("Escape");
     desktop.press("Escape");

@@ -228,3 +228,44 @@ fn the_buttons_of_the_bar_fly_the_ship_and_the_bar_stays() {
     desktop.wait_for("the menu", |state| state.menu && state.shows("Resume"));
     desktop.end_without_error();
 }
+
+/// A full tank lasts thirty seconds at full thrust.
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn an_empty_tank_is_said_by_a_thrust_key_and_by_the_bar_whose_button_goes_back() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../assets/missions/two-burns.toml"
+    );
+    let text = std::fs::read_to_string(file).unwrap();
+    let small = text.replacen("rapidity = 0.10,", "rapidity = 0.01,", 1);
+    assert_ne!(small, text);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("small.toml");
+    std::fs::write(&path, small).unwrap();
+    let desktop = Desktop::open_small(&["--preset", path.to_str().unwrap()]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(0.2));
+    let used = |state: &State| state.ship.as_ref().map_or(0.0, |ship| ship.rapidity_used);
+    // The key that closes the card pushes already.
+    desktop.hold("w");
+    desktop.wait_for("the empty tank", |state| used(state) == 0.01);
+    desktop.let_go("w");
+    desktop.later(FRAMES);
+    desktop.press("w");
+    desktop.wait_for("what the key says", |state| {
+        state.mentions("nothing pushes the ship. You can turn")
+    });
+    let has = |state: &State, button: &str| state.texts.iter().any(|text| text.words == button);
+    desktop.tap(FREE);
+    let bar = desktop.wait_for("the bar", |state| {
+        has(state, "The tank is empty") && has(state, "Back")
+    });
+    assert!(!has(&bar, "Push") && !has(&bar, "Orbit"));
+    desktop.later(FRAMES);
+    desktop.tap(desktop.state().place_of("Back").unwrap());
+    desktop.wait_for("a full tank", |state| {
+        used(state) == 0.0 && has(state, "Push")
+    });
+    desktop.end_without_error();
+}

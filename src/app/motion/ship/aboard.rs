@@ -178,6 +178,11 @@ impl Aboard {
         self.nose.release();
     }
 
+    /// Whether the engine can push: there is one, and fuel.
+    pub(super) fn can_push(&self) -> bool {
+        self.flown.voyage().flight.rocket.max_acceleration() > 0.0
+    }
+
     /// What the engine does.
     pub(super) fn engine(&self) -> Engine {
         match self.flown.voyage().flight.orders().thrust {

@@ -118,7 +118,7 @@ pub(super) fn apply_ship_commands(
                     _ => HoldKind::Still,
                 };
                 editor.say(match ship.switch_hold(kind) {
-                    Ok(_) => words::holding(&ship, kind, units),
+                    Ok(_) => words::holding(&ship, kind, units, &bindings),
                     Err(refusal) => capitalised(&refusal.to_string()),
                 });
             }
@@ -226,7 +226,7 @@ pub(crate) fn advance_ship(
         )),
     }
     if let Some(news) = news {
-        editor.say(words::news(news, &bindings));
+        editor.say(words::news(news, &ship, &bindings));
     }
     set_helm(&ship, &mut helm);
 }

@@ -41,6 +41,8 @@ pub enum News {
     LittleFuel,
     /// The tank is empty.
     Empty,
+    /// The hand begins to push, and the engine cannot.
+    NoPush,
 }
 
 impl ShipFlight {
@@ -85,8 +87,11 @@ impl Aboard {
 
     /// Moves the ship. Returns whether it has come to a limit of its flight, and what happened.
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
+        let pushed = self.stick.thrust != DVec3::ZERO;
         self.steer(frame);
         let seconds = if self.has_ended { 0.0 } else { frame.seconds };
+        let begins_push = frame.stick.thrust != DVec3::ZERO && !pushed;
+        let pushes_in_vain = begins_push && !self.can_push() && seconds > 0.0;
         self.moves = seconds > 0.0;
         let seconds = seconds.min(MAX_FRAME_SECONDS);
         let (rate, was_far) = (self.wanted_rate(), self.is_far);
@@ -109,7 +114,10 @@ impl Aboard {
         if self.flown.goals_reached() > goals && !self.flown.is_over() {
             self.keep_goal();
         }
-        let mut news = (self.is_far && !was_far).then_some(News::Far);
+        let mut news = pushes_in_vain.then_some(News::NoPush);
+        if self.is_far && !was_far {
+            news = Some(News::Far);
+        }
         if let Some((_, stop)) = stop {
             self.pace = 1.0;
             self.stopped_at_apsis = matches!(stop, Stop::Low | Stop::High);
@@ -143,7 +151,8 @@ impl Aboard {
         if stick.turn != DVec3::ZERO {
             self.nose.release();
         }
-        if stick.thrust != DVec3::ZERO {
+        // A key of an engine that cannot push changes nothing.
+        if stick.thrust != DVec3::ZERO && self.can_push() {
             self.hold = None;
             self.pace = self.pace.min(1.0);
             self.note_push();

@@ -149,6 +149,7 @@ pub(super) fn start_missions(
             missions.read_results();
         }
         *play = MissionPlay::default();
+        missions.note_flown(&mission.name, false);
         times.0.follow(Mission::clone(mission));
         let units = ship.units(&preferences.settings);
         *end_card = EndCard::new(
@@ -205,6 +206,7 @@ pub(super) fn watch_mission(
     let before = play.kept.take();
     play.ended += u32::from(before.is_none());
     let has_succeeded = attempt.outcome() == Outcome::Success;
+    missions.note_flown(&attempt.mission.name, has_succeeded);
     if !has_succeeded {
         play.failed += 1;
     }

@@ -1,5 +1,6 @@
 //! What the window says of a mission.
 
+use super::quantity_words::{Measures, fuel, quantity_name};
 use super::score::{par_limit, time_limit};
 use crate::app::state::end_card::{Closes, EndCard, Lamp, LampKind, Way};
 use crate::app::state::mission_results::MissionResult;
@@ -13,12 +14,12 @@ pub(super) fn brief(mission: &Mission, units: Units) -> String {
     let goals = mission.goals.iter().enumerate();
     let goals = goals.map(|(index, goal)| format!("\n{}. {}", index + 1, goal_words(goal, units)));
     let goals: String = goals.collect();
-    let fuel = match mission.ship.rapidity {
+    let full = match mission.ship.rapidity {
         0.0 => "Your ship has no engine.".into(),
-        rapidity => format!("Your tank holds a rapidity of {}.", four_digits(rapidity)),
+        tank => format!("Your tank is full: fuel {}.", fuel(tank, tank, four_digits)),
     };
     let brief = units.in_text(&mission.brief);
-    format!("{brief} {fuel}\n{goals}\n\nAny flight key, {{journey.again}} or a click begins.")
+    format!("{brief} {full}\n{goals}\n\nAny flight key, {{journey.again}} or a click begins.")
 }
 
 /// A goal in words, with the time for which it must be held unless its text says the same.
@@ -117,7 +118,7 @@ pub(super) fn end(end: &End, units: Units) -> EndCard {
         format!("\n\nHint: {}", units.in_text(hint))
     });
     let numbers = numbers(mission, end.kept, units);
-    let record = record(end);
+    let record = record(end, units);
     EndCard {
         lamps: lamps_shown(end, units),
         details: format!("{numbers}{record}{hint}"),
@@ -135,17 +136,17 @@ fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
     let mission = &end.attempt.mission;
     let goals = counted(mission.goals.len(), "goal");
     let reached = format!("{} of {goals}", end.attempt.reached().len());
+    let measures = Measures::new(mission, units);
     let par = mission.pars.first().map(|par| {
-        let value = end
-            .kept
-            .par
-            .map_or_else(|| "none".into(), |(_, value)| four_digits(value));
-        let name = par.quantity.word().replace('_', " ");
+        let amount = |value| measures.amount(par.quantity, value, four_digits);
+        let value = end.kept.par.map(|(_, value)| amount(value));
+        let value = value.unwrap_or_else(|| "none".into());
+        let name = quantity_name(par.quantity);
         let side = match par.better {
             Better::Less => "at most",
             Better::More => "at least",
         };
-        let limit = four_digits(par_limit(par));
+        let limit = amount(par_limit(par));
         format!("{name} {value}, needed {side} {limit}")
     });
     let time = end.solution_time.map(|time| {
@@ -172,20 +173,23 @@ fn lamps_shown(end: &End, units: Units) -> Vec<Lamp> {
 
 /// The best result before this one, and whether this one is better; without one, how near a failed attempt
 /// came.
-fn record(end: &End) -> String {
+fn record(end: &End, units: Units) -> String {
     let kept = end.kept;
+    let mission = &end.attempt.mission;
     let Some(best) = end.best else {
         if kept.reached {
             return "\nThis is your first success here.".into();
         }
         let nearest = end.nearest.and_then(|nearest| nearest.par);
         return nearest.map_or_else(String::new, |(quantity, value)| {
-            let name = quantity.word().replace('_', " ");
-            format!("\nYour best before: {name} {}.", four_digits(value))
+            let name = quantity_name(quantity);
+            let amount = Measures::new(mission, units).amount(quantity, value, four_digits);
+            format!("\nYour best before: {name} {amount}.")
         });
     };
     let lamps = counted(best.lamps, "lamp");
-    let rapidity = four_digits(best.rapidity_used);
+    let used = fuel_used(mission, best);
+    let used = used.map_or_else(String::new, |used| format!(", {used}"));
     let now = if kept.is_better_than(best) {
         " This one is better."
     } else if kept.reached {
@@ -193,7 +197,14 @@ fn record(end: &End) -> String {
     } else {
         ""
     };
-    format!("\nYour best before: {lamps}, rapidity {rapidity}.{now}")
+    format!("\nYour best before: {lamps}{used}.{now}")
+}
+
+/// The fuel that an attempt used. `None` without an engine.
+fn fuel_used(mission: &Mission, result: &MissionResult) -> Option<String> {
+    let tank = mission.ship.rapidity;
+    let used = fuel(result.rapidity_used, tank, four_digits);
+    (tank > 0.0).then(|| format!("fuel used {used}"))
 }
 
 /// The numbers of an attempt that no lamp shows, in lines.
@@ -205,13 +216,11 @@ fn numbers(mission: &Mission, kept: &MissionResult, units: Units) -> String {
     let lowest = units.length(kept.lowest, four_digits);
     // The lamp of the par may say it.
     let is_par = |par: &Par| par.quantity == Quantity::RapidityUsed;
-    let rapidity = if mission.pars.first().is_some_and(is_par) {
-        String::new()
-    } else {
-        format!("rapidity {}, ", four_digits(kept.rapidity_used))
-    };
+    let has_lamp = mission.pars.first().is_some_and(is_par);
+    let used = fuel_used(mission, kept).filter(|_| !has_lamp);
+    let used = used.map_or_else(String::new, |used| format!("{used}, "));
     format!(
-        "your clock {own}{far}\n{rapidity}at most {} g\nlowest point {lowest}, error {:.0e}",
+        "your clock {own}{far}\n{used}at most {} g\nlowest point {lowest}, error {:.0e}",
         three_digits(kept.peak_g),
         kept.error
     )

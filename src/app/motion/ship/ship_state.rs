@@ -19,12 +19,14 @@ impl ShipFlight {
         self.has_engine() && !self.is_empty()
     }
 
-    /// The rapidity that the hold takes to reach its motion, and what is left in the tank.
+    /// The fuel that the hold takes to reach its motion, and the fuel that is left, as shares of a full tank.
     #[must_use]
     pub fn hold_takes(&self) -> Option<[f64; 2]> {
         let flight = &self.voyage()?.flight;
         let rapidity = self.hold()?.rapidity(&flight.ship).ok()?;
-        Some([rapidity, flight.rocket.left()])
+        let left = flight.rocket.left();
+        let tank = left + flight.rocket.used();
+        Some([rapidity, left].map(|fuel| fuel / tank))
     }
 
     /// Whether the tank of its engine is empty.

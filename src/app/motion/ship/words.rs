@@ -7,7 +7,7 @@ use super::pace::Stop;
 use super::ship_flight::{HoldKind, ShipFlight};
 use crate::app::controls::bindings::Bindings;
 use lightfall_core::geometry::ship::Ship;
-use lightfall_core::numbers::four_digits;
+use lightfall_core::numbers::{four_digits, percent};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{Heading, Hold};
 use lightfall_core::scene::mission::Look;
@@ -112,22 +112,50 @@ pub(super) fn no_thrust(ship: &ShipFlight) -> &'static str {
     }
 }
 
-/// What a key of a hold says after it has begun, with the fuel that it takes, or ended.
-pub(super) fn holding(ship: &ShipFlight, kind: HoldKind, units: Units) -> String {
+/// What a thrust key says where the engine cannot push, with what still works.
+pub(super) fn no_push(ship: &ShipFlight, bindings: &Bindings) -> String {
+    let why = if ship.is_empty() {
+        "The tank is empty: nothing pushes the ship. You can turn, and {fly.face} keeps a heading;"
+    } else {
+        "The ship has no engine: nothing pushes it."
+    };
+    let back = if ship.attempt().is_some() {
+        "{scene.undo} goes back, {journey.again} begins again"
+    } else {
+        "{scene.undo} goes back to where you took the ship"
+    };
+    bindings.with_keys(&format!(
+        "{why} {{motion.slower}} and {{motion.faster}} change time; {back}"
+    ))
+}
+
+/// What a key of a hold says after it has begun, with the fuel that it takes, or ended. In an orbit the hole
+/// drifts out of view, so the key that looks at it is named there.
+pub(super) fn holding(
+    ship: &ShipFlight,
+    kind: HoldKind,
+    units: Units,
+    bindings: &Bindings,
+) -> String {
     let at = |r: f64| units.length(r, four_digits);
     let takes = ship.hold_takes().map_or_else(String::new, |[takes, left]| {
-        let lacks = if takes > left { ": too much" } else { "" };
-        let [takes, left] = [takes, left].map(|rapidity| format!("{rapidity:.4}"));
+        let lacks = if takes > left { ": too little" } else { "" };
+        let [takes, left] = [takes, left].map(percent);
         match ship.hold() {
             // The change to an orbit is all that it takes; standing still takes more each moment.
             Some(Hold::Hover(_)) => format!(
-                " (stopping takes {takes} of the rapidity {left} left{lacks}; holding takes more)"
+                " (stopping takes {takes} of a full tank, and holding more; fuel {left}{lacks})"
             ),
-            _ => format!(" (takes {takes} of the rapidity {left} left{lacks})"),
+            _ => format!(" (takes {takes} of a full tank; fuel {left}{lacks})"),
         }
     });
+    let key = bindings.first_label("scene.spin");
+    let look = match ship.look() {
+        Look::Nose if !key.is_empty() => format!("; {key} looks at the hole"),
+        Look::Nose | Look::Hole => String::new(),
+    };
     match ship.hold() {
-        Some(Hold::Orbit(r)) => format!("Holds the orbit at {}{takes}", at(r)),
+        Some(Hold::Orbit(r)) => format!("Holds the orbit at {}{takes}{look}", at(r)),
         Some(Hold::Hover(r)) => format!("Holds still at {}{takes}", at(r)),
         Some(Hold::Zamo(r)) => format!(
             "Holds the radius {}: nothing stands still in the ergosphere",
@@ -141,16 +169,17 @@ pub(super) fn holding(ship: &ShipFlight, kind: HoldKind, units: Units) -> String
 /// What taking the controls says.
 pub(super) fn boarded(bindings: &Bindings) -> String {
     let key = |id| bindings.first_label(id);
-    let [forward, orbit, still, off, leave] = [
+    let [forward, orbit, look, still, off, leave] = [
         "fly.forward",
         "fly.orbit",
+        "scene.spin",
         "scene.observer",
         "motion.let_go",
         "ship.fly",
     ]
     .map(key);
     format!(
-        "You fly the ship: {forward} pushes, {orbit} holds the orbit, {still} holds still, {off} stops the engine; {leave} leaves it"
+        "You fly the ship: {forward} pushes, {orbit} holds the orbit, {look} looks at the hole, {still} holds still, {off} stops the engine; {leave} leaves it"
     )
 }
 
@@ -174,7 +203,7 @@ pub(crate) fn multiple(pace: f64) -> String {
 }
 
 /// What has happened in a frame.
-pub(super) fn news(news: News, bindings: &Bindings) -> String {
+pub(super) fn news(news: News, ship: &ShipFlight, bindings: &Bindings) -> String {
     let faster = bindings.first_label("motion.faster");
     let passes = if faster.is_empty() {
         String::new()
@@ -184,8 +213,9 @@ pub(super) fn news(news: News, bindings: &Bindings) -> String {
     match news {
         News::Refused(refusal) => format!("The engine is off: {refusal}"),
         News::Far => FAR.into(),
-        News::LittleFuel => "Less than a fifth of the tank is left".into(),
+        News::LittleFuel => "Fuel: less than 20 % is left".into(),
         News::Empty => "The tank is empty".into(),
+        News::NoPush => no_push(ship, bindings),
         News::Slowed(Stop::Low) => format!("The lowest point: time runs as usual{passes}"),
         News::Slowed(Stop::High) => format!("The highest point: time runs as usual{passes}"),
         News::Slowed(Stop::Goal) => "The goal's radius: time runs as usual".into(),

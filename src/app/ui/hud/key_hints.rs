@@ -77,8 +77,8 @@ fn watch_use(
     }
 }
 
-/// A hint: the controls, the text between their keys, what they do, and a rank. If there is not enough
-/// room, the hints of the lowest rank are left out first.
+/// A hint: the controls, the text between their keys, what they do, and a rank. Without controls it is a
+/// remark. If there is not enough room, the hints of the lowest rank are left out first.
 type Hint = (&'static [&'static str], &'static str, &'static str, u8);
 
 /// The keys that a newcomer needs.
@@ -148,6 +148,17 @@ const SHIP_KEYS: &[Hint] = &[
     ALL_KEYS,
 ];
 
+/// The keys that matter aboard a ship whose tank is empty.
+const EMPTY_KEYS: &[Hint] = &[
+    (&[], "", "the tank is empty", 6),
+    (&["fly.face"], "", "nose", 4),
+    (&["scene.spin"], "", "look", 3),
+    (&["motion.slower", "motion.faster"], " · ", "time", 6),
+    (&["scene.undo"], "", "back", 5),
+    (&["ship.fly"], "", "leave", 1),
+    ALL_KEYS,
+];
+
 /// The keys that matter aboard a ship without an engine.
 const DRIFT_KEYS: &[Hint] = &[
     (&["scene.spin"], "", "look", 4),
@@ -185,8 +196,10 @@ pub(super) fn show_key_hints(
     } else if free_fall.is_moving() {
         FALL_KEYS.to_vec()
     } else if helm.has_ship() {
-        if ship.has_engine() {
+        if ship.can_push() {
             SHIP_KEYS.to_vec()
+        } else if ship.has_engine() {
+            EMPTY_KEYS.to_vec()
         } else {
             DRIFT_KEYS.to_vec()
         }
@@ -216,6 +229,9 @@ fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) {
     for (ids, between, does, _) in hints {
         let keys = ids.iter().map(key).collect::<Vec<_>>().join(between);
         for (text, colour) in [(keys.as_str(), BRIGHT), (does, QUIET)] {
+            if text.is_empty() {
+                continue;
+            }
             let text = board.text(text, TEXT, colour, f32::INFINITY);
             let width = text.size().x;
             board.put(egui::vec2(right, 0.0), text);

@@ -3,6 +3,7 @@
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand};
 use crate::app::controls::table::control_named;
+use crate::app::motion::ship::{Measures, quantity_name};
 use crate::app::state::helm::CommandSender;
 use crate::app::state::lesson_draft::LessonDraft;
 use crate::app::state::lessons::{GuidedJourney, Lessons, StartJourney};
@@ -13,8 +14,9 @@ use crate::app::state::settings::Settings;
 use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
-use lightfall_core::numbers::{counted, four_digits};
+use lightfall_core::numbers::counted;
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::mission::Mission;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_platform::IN_BROWSER;
@@ -64,15 +66,26 @@ pub(super) fn name_and_control(entry: MenuEntry) -> [String; 2] {
     words.map(str::to_owned)
 }
 
+/// The units of a mission's texts: everyday ones are for the mass of its own hole.
+fn units_of(mission: &Mission, settings: &Settings) -> Units {
+    let mass = HoleMass::of_suns(mission.hole.mass_suns);
+    settings.units().for_mass(mass)
+}
+
 impl MenuActions<'_> {
     /// What stands at the left and at the right of an entry.
-    pub(super) fn words(&self, entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
+    pub(super) fn words(
+        &self,
+        entry: MenuEntry,
+        bindings: &Bindings,
+        settings: &Settings,
+    ) -> [String; 2] {
         let [name, control] = name_and_control(entry);
         let flies = self.commands.helm.has_ship();
         match entry {
             MenuEntry::Ship if flies => ["Leave the ship".into(), bindings.first_name(&control)],
             MenuEntry::LetGo if flies => ["Engine off".into(), bindings.first_name(&control)],
-            MenuEntry::Mission(index) => self.mission_words(index),
+            MenuEntry::Mission(index) => self.mission_words(index, settings),
             MenuEntry::Lesson(index) => self.lesson_words(index),
             MenuEntry::SaveLesson => {
                 let stops = counted(self.draft.stops(), "stop");
@@ -95,19 +108,20 @@ impl MenuActions<'_> {
 
     /// A mission's title, and the best that was reached in it: its three lamps, all dark before the first
     /// success.
-    fn mission_words(&self, index: usize) -> [String; 2] {
+    fn mission_words(&self, index: usize, settings: &Settings) -> [String; 2] {
         let Some(mission) = self.missions.list.get(index) else {
             return Default::default();
         };
         let best = self.missions.results.best(&mission.name);
+        let measures = Measures::new(mission, units_of(mission, settings));
         let reached = best.map_or_else(
             || "not reached, lamps ○○○".into(),
             |best| {
                 let lamps = "●".repeat(best.lamps) + &"○".repeat(3 - best.lamps.min(3));
                 let par = best.par.filter(|(_, value)| value.is_finite());
                 let par = par.map_or_else(String::new, |(quantity, value)| {
-                    let name = quantity.word().replace('_', " ");
-                    format!("{name} {}  ", four_digits(value))
+                    let amount = measures.short_amount(quantity, value);
+                    format!("{} {amount}  ", quantity_name(quantity))
                 });
                 format!("{par}lamps {lamps}")
             },
@@ -148,8 +162,7 @@ impl MenuActions<'_> {
                 "" => mission.brief.as_str(),
                 teaches => teaches,
             };
-            let mass = HoleMass::of_suns(mission.hole.mass_suns);
-            let units = settings.units().for_mass(mass);
+            let units = units_of(mission, settings);
             return bindings.with_keys(&units.in_text(text));
         }
         match (self.menu.list(), file) {
@@ -232,9 +245,8 @@ fn show_missions(menu: &mut Menu, missions: &mut Missions, say: impl FnOnce(Stri
         say(faults.join("\n"));
     }
     menu.show_missions(missions.list.len());
-    // Where one goes on. With all of them reached it is the first.
-    let is_open = |mission: &Mission| missions.results.best(&mission.name).is_none();
-    if let Some(index) = missions.list.iter().position(is_open) {
+    // Where one goes on. With all of them reached, and none flown, it is the first.
+    if let Some(index) = missions.first_choice() {
         menu.select(MenuEntry::Mission(index));
     }
 }

@@ -51,11 +51,12 @@ pub(super) fn show_menu(
                 MenuList::Missions(_) => "Missions",
                 MenuList::Lessons(_) => "Lessons",
             };
-            let hint = actions.hint(&bindings, &preferences.settings);
+            let settings = &preferences.settings;
+            let hint = actions.hint(&bindings, settings);
             let entries = actions.menu.entries();
             let rows: Vec<Row> = entries
                 .into_iter()
-                .map(|entry| (entry, actions.words(entry, &bindings)))
+                .map(|entry| (entry, actions.words(entry, &bindings, settings)))
                 .collect();
             let frame = menu_frame(screen, &actions.menu);
             ui.painter()

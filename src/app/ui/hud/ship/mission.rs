@@ -20,8 +20,7 @@ const CAPTION: f32 = 18.0;
 const MAX_CAPTION: f32 = 460.0;
 const MAX_GOALS: f32 = 430.0;
 /// What a pilot without fuel is told, with the names of controls in braces.
-const NO_FUEL: &str =
-    "The tank is empty: nothing pushes you any more. {journey.again} flies the mission again.";
+const NO_FUEL: &str = "The tank is empty: nothing pushes you any more. You can turn, and let time run. {scene.undo} goes back to the last goal, {journey.again} flies the mission again.";
 /// Colour of a quantity that is what the goal wants.
 const MET: Color32 = Color32::from_rgb(130, 220, 160);
 

@@ -1,5 +1,6 @@
-//! The quantities that a mission compares, in words: their names, their values, and what is wanted.
+//! The quantities that a mission compares, in words: their values, and what is wanted.
 
+use crate::app::motion::ship::{Measures, quantity_name};
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
@@ -27,6 +28,7 @@ pub fn wanted(attempt: &Attempt, units: Units) -> Vec<Wanted> {
         return Vec::new();
     };
     let mission = &attempt.mission;
+    let measures = Measures::new(mission, units);
     let goal = mission.goals.get(next).map_or(&[][..], |goal| &goal.all);
     let mut rows: Vec<(Quantity, Vec<String>, bool)> = Vec::new();
     let mut add = |condition: &Condition, words: String, is_met: bool| {
@@ -44,7 +46,7 @@ pub fn wanted(attempt: &Attempt, units: Units) -> Vec<Wanted> {
         condition.holds(value)
     };
     for condition in goal {
-        add(condition, bound(condition, units), holds(condition));
+        add(condition, bound(condition, measures), holds(condition));
     }
     for fail in &mission.fails {
         // A fail of several conditions forbids none of them alone.
@@ -60,12 +62,12 @@ pub fn wanted(attempt: &Attempt, units: Units) -> Vec<Wanted> {
             continue;
         }
         for condition in &fail.all {
-            let words = format!("{not} {}", bound(condition, units));
+            let words = format!("{not} {}", bound(condition, measures));
             add(condition, words, fail.all.len() > 1 || !holds(condition));
         }
     }
     let row = |(quantity, wanted, is_met): (Quantity, Vec<String>, bool)| Wanted {
-        label: label(quantity),
+        label: quantity_name(quantity),
         value: present(attempt, quantity, units),
         wanted: wanted.join(", "),
         is_met,
@@ -96,11 +98,14 @@ pub(super) fn present(attempt: &Attempt, quantity: Quantity, units: Units) -> St
     match voyage.quantity(quantity) {
         None => "not known here".into(),
         Some(0.0) if quantity == Quantity::Periapsis => "in the hole".into(),
+        Some(0.0) if quantity == Quantity::Thrust => "off".into(),
         Some(value) if value.is_infinite() && plunges(&voyage.flight.ship) => {
             "none: you fall in".into()
         }
         Some(value) if value.is_infinite() => "none: you come away".into(),
-        Some(value) => amount(quantity, value, units, steady_digits),
+        Some(value) => {
+            Measures::new(&attempt.mission, units).amount(quantity, value, steady_digits)
+        }
     }
 }
 
@@ -138,66 +143,27 @@ pub(super) fn said_by(mission: &Mission) -> impl Iterator<Item = &str> {
 }
 
 /// A condition without its quantity.
-fn bound(condition: &Condition, units: Units) -> String {
-    let sign = match condition.comparison {
+fn bound(condition: &Condition, measures: Measures) -> String {
+    let Condition {
+        quantity,
+        comparison,
+        value,
+    } = *condition;
+    // No thrust is that of an engine that is off.
+    if quantity == Quantity::Thrust && value == 0.0 {
+        match comparison {
+            Comparison::Equal | Comparison::AtMost => return "engine off".into(),
+            Comparison::More => return "engine on".into(),
+            Comparison::Less | Comparison::AtLeast => {}
+        }
+    }
+    let sign = match comparison {
         Comparison::Less => "<",
         Comparison::AtMost => "≤",
         Comparison::More => ">",
         Comparison::AtLeast => "≥",
         Comparison::Equal => "=",
     };
-    let value = amount(condition.quantity, condition.value, units, four_digits);
+    let value = measures.amount(quantity, value, four_digits);
     format!("{sign} {value}")
-}
-
-/// A value with its unit.
-fn amount(quantity: Quantity, value: f64, units: Units, digits: impl Fn(f64) -> String) -> String {
-    let unit = match quantity {
-        Quantity::R | Quantity::Periapsis | Quantity::Apoapsis => {
-            return units.length(value, digits);
-        }
-        Quantity::Tau | Quantity::T | Quantity::LifeInside => return units.time(value, digits),
-        Quantity::TauYears | Quantity::TYears => " years",
-        Quantity::ThetaDeg | Quantity::RotationUsedDeg => "°",
-        Quantity::Speed | Quantity::GasSpeed => " c",
-        Quantity::Thrust => " c²/r_s",
-        Quantity::GLoad => " g",
-        Quantity::Tide => " c²/r_s²",
-        Quantity::Rate
-        | Quantity::Energy
-        | Quantity::AngularMomentum
-        | Quantity::CarterQ
-        | Quantity::Turns
-        | Quantity::RapidityUsed
-        | Quantity::EnergyRatio => "",
-    };
-    format!("{}{unit}", digits(value))
-}
-
-/// What a quantity is called over the picture.
-pub(super) fn label(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::R => "radius",
-        Quantity::ThetaDeg => "polar angle",
-        Quantity::Tau => "your clock",
-        Quantity::T => "home's clock",
-        Quantity::TauYears => "your years",
-        Quantity::TYears => "home's years",
-        Quantity::Rate => "home's clock ×",
-        Quantity::Energy => "E",
-        Quantity::AngularMomentum => "L",
-        Quantity::CarterQ => "Q",
-        Quantity::Periapsis => "lowest point",
-        Quantity::Apoapsis => "highest point",
-        Quantity::Turns => "turns",
-        Quantity::Speed => "speed",
-        Quantity::GasSpeed => "speed in gas",
-        Quantity::Thrust => "thrust",
-        Quantity::RapidityUsed => "rapidity used",
-        Quantity::RotationUsedDeg => "ship turned by",
-        Quantity::EnergyRatio => "energy ratio",
-        Quantity::LifeInside => "life inside",
-        Quantity::Tide => "tide",
-        Quantity::GLoad => "weight",
-    }
 }

@@ -1,9 +1,11 @@
 //! The values of the ship's instruments, in words.
 
-use super::quantities::{label, named, plunges, present, said_by};
-use crate::app::motion::ship::{LITTLE_FUEL, ShipFlight, heading_words, multiple};
+use super::quantities::{named, plunges, present, said_by};
+use crate::app::motion::ship::{
+    LITTLE_FUEL, ShipFlight, acceleration, fuel, heading_words, multiple, quantity_name, tide,
+};
 use lightfall_core::geometry::ship::Ship;
-use lightfall_core::numbers::{four_digits, ratio, three_digits};
+use lightfall_core::numbers::{four_digits, percent, ratio, three_digits};
 use lightfall_core::optics::readout::held_acceleration;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
@@ -58,7 +60,7 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     let ship = &flight.ship;
     let mut all = vec![
         motion(ship, units),
-        fuel(flight),
+        tank(flight, units),
         thrust(flight, mass, units),
     ];
     all.extend(path(ship, units));
@@ -70,8 +72,7 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     );
     all.push(Instrument::new(TIME, time(flown, units)));
     all.push(to_hover(ship, mass, units));
-    let tide = three_digits(tide_of(ship) * mass.gees() / mass.metres());
-    all.push(Instrument::minor("tide", format!("{tide} g per metre")));
+    all.push(Instrument::minor("tide", tide(tide_of(ship), mass)));
     all.extend(signal(ship, units));
     if let Some(attempt) = flown.attempt() {
         add_named(&mut all, attempt, units);
@@ -82,12 +83,14 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
 
 /// The label of the pace.
 pub(super) const TIME: &str = "time";
+/// The label of the fuel.
+const FUEL: &str = "fuel";
 
 /// Instruments that show a quantity of a mission, by their labels. The clocks are dials.
 fn shown_by(quantity: Quantity) -> Option<&'static str> {
     Some(match quantity {
         Quantity::R | Quantity::Speed => "radius, speed",
-        Quantity::RapidityUsed => "rapidity left",
+        Quantity::RapidityUsed => FUEL,
         Quantity::Thrust | Quantity::GLoad => "thrust",
         Quantity::Periapsis => "lowest point",
         Quantity::Apoapsis => "highest point",
@@ -104,7 +107,7 @@ fn add_named(all: &mut Vec<Instrument>, attempt: &Attempt, units: Units) {
         .filter(|quantity| shown_by(*quantity).is_none());
     let rows = others.map(|quantity| Instrument {
         is_needed: true,
-        ..Instrument::new(label(quantity), present(attempt, quantity, units))
+        ..Instrument::new(quantity_name(quantity), present(attempt, quantity, units))
     });
     // Before those that a narrow window leaves out.
     let end = all.iter().position(|row| row.is_minor);
@@ -114,7 +117,7 @@ fn add_named(all: &mut Vec<Instrument>, attempt: &Attempt, units: Units) {
 
 /// By which words a text for players names an instrument.
 const NAMED_BY: [(&str, &[&str]); 9] = [
-    ("rapidity left", &["rapidity", "fuel", "tank"]),
+    (FUEL, &["rapidity", "fuel", "tank"]),
     ("thrust", &["thrust", "engine"]),
     ("lowest point", &["lowest point"]),
     ("highest point", &["highest point"]),
@@ -129,7 +132,7 @@ const NAMED_BY: [(&str, &[&str]); 9] = [
 const NEEDED: [&str; 7] = [
     TIME,
     "radius, speed",
-    "rapidity left",
+    FUEL,
     "thrust",
     "lowest point",
     "highest point",
@@ -172,23 +175,24 @@ fn motion(ship: &Ship, units: Units) -> Instrument {
     Instrument::new("radius, speed", value)
 }
 
-fn fuel(flight: &Flight) -> Instrument {
+/// The fuel that is left and, for specialists, the mass that is left with it.
+fn tank(flight: &Flight, units: Units) -> Instrument {
     let rocket = &flight.rocket;
-    let tank = rocket.left() + rocket.used();
-    let left = format!("{:.4} of {}", rocket.left(), four_digits(tank));
-    let mass = format!("{:.0} % of the mass", 100.0 * rocket.mass());
+    let (left, full) = (rocket.left(), rocket.left() + rocket.used());
+    let value = if full == 0.0 {
+        "no engine".into()
+    } else if left == 0.0 {
+        "the tank is empty".into()
+    } else {
+        let left = fuel(left, full, |rapidity| format!("{rapidity:.4}"));
+        match units.are_simple() {
+            true => left,
+            false => format!("{left} · mass {}", percent(rocket.mass())),
+        }
+    };
     Instrument {
-        is_warning: rocket.left() < LITTLE_FUEL * tank,
-        ..Instrument::new("rapidity left", format!("{left} · {mass}"))
-    }
-}
-
-/// An acceleration in c^2/r_s, and in g.
-fn acceleration(size: f64, mass: HoleMass, units: Units) -> String {
-    let gees = format!("{} g", three_digits(size * mass.gees()));
-    match units.are_simple() {
-        true => gees,
-        false => format!("{} c²/r_s · {gees}", three_digits(size)),
+        is_warning: left < LITTLE_FUEL * full,
+        ..Instrument::new(FUEL, value)
     }
 }
 
