@@ -184,7 +184,7 @@ fn a_wrong_preset_file_does_not_pass_the_check() {
     )
     .unwrap_err();
     assert_eq!(error.status, 2);
-    let sentence = "hole.spin = 3 is refused: it must be a number above -1 and below 1";
+    let sentence = "line 1: hole.spin = 3 is refused: it must be a number above -1 and below 1";
     assert_eq!(
         error.to_string(),
         format!("{}: {sentence}", file.path().display())
