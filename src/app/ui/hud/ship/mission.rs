@@ -42,7 +42,13 @@ pub(in crate::app::ui::hud) fn show_mission(
     let units = ship.units(&preferences.settings);
     let rows = wanted(attempt, units);
     // Without their values the goals take less room, and the next one takes less than all.
-    let tries = [(false, &rows[..]), (false, &[]), (true, &rows), (true, &[])];
+    let (with_values, without): (&[Wanted], &[Wanted]) = (&rows, &[]);
+    let tries = [
+        (false, with_values),
+        (false, without),
+        (true, with_values),
+        (true, without),
+    ];
     let words = (units, &*bindings);
     let boards = tries.map(|(next_only, rows)| {
         goals(context, (attempt, next_only), rows, (words, places.goals))
