@@ -11,7 +11,7 @@ const INSTRUMENTS: f32 = 398.0;
 const MIN_INSTRUMENTS: f32 = 200.0;
 /// The largest share of the height that the instruments take, and the clocks alone.
 const MAX_INSTRUMENTS: f32 = 0.52;
-const MAX_CLOCKS: f32 = 0.62;
+const MAX_CLOCKS: f32 = 0.5;
 /// The largest share of the width that the map takes.
 const MAX_MAP: f32 = 1.0 / 3.0;
 /// The room for messages: the least width, and the height, which two lines of small letters need, in points.
