@@ -115,7 +115,10 @@ fn what_a_pilot_always_sees_overlaps_in_no_window_and_at_no_size_of_texts() {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)).shrink(MARGIN);
         let places = pilot_places(room, &needs());
         assert!(places.map.is_some(), "{width} x {height}: no map");
-        assert!(places.rows >= needs().rows[1], "{width} x {height}: {places:?}");
+        assert!(
+            places.rows >= needs().rows[1],
+            "{width} x {height}: {places:?}"
+        );
     }
 }
 
@@ -141,7 +144,9 @@ fn laid_out(
         let left = layout.room_for(330.0_f32.min(room.width()));
         let wish = layout.at(Align2::RIGHT_CENTER, Slide::Anywhere);
         let size = vec2(330.0, 420.0).min(left.size());
-        layout.place("end card", size, wish.even_over_hole()).unwrap();
+        layout
+            .place("end card", size, wish.even_over_hole())
+            .unwrap();
     }
     let corner = layout.at(Align2::LEFT_TOP, Slide::Nowhere);
     let fits = goals.x <= places.goals.width() && goals.y <= places.goals.height();
@@ -194,8 +199,14 @@ fn free_rooms_cover_nothing_and_the_place_for_messages_is_free_when_they_come() 
     assert_eq!(layout.free_rooms(false), [bounds]);
     let kept = Rect::from_min_max(pos2(416.0, 542.0), bounds.max);
     layout.keep_for_messages(kept);
-    layout.take("instruments", Rect::from_min_max(pos2(12.0, 300.0), pos2(410.0, 588.0)));
-    layout.take("map", Rect::from_min_max(pos2(542.0, 12.0), pos2(788.0, 455.0)));
+    layout.take(
+        "instruments",
+        Rect::from_min_max(pos2(12.0, 300.0), pos2(410.0, 588.0)),
+    );
+    layout.take(
+        "map",
+        Rect::from_min_max(pos2(542.0, 12.0), pos2(788.0, 455.0)),
+    );
     let rooms = layout.free_rooms(false);
     assert!(rooms.iter().all(|room| layout.is_free(*room)), "{rooms:?}");
     // The widest free place is above the instruments and beside the map.
@@ -203,7 +214,10 @@ fn free_rooms_cover_nothing_and_the_place_for_messages_is_free_when_they_come() 
     assert_eq!(layout.room_for(500.0), wide);
     // The highest one that is wide enough leads down beside the instruments.
     let narrow = layout.room_for(100.0);
-    assert_eq!(narrow.x_range(), Rect::from_min_max(pos2(416.0, 0.0), wide.max).x_range());
+    assert_eq!(
+        narrow.x_range(),
+        Rect::from_min_max(pos2(416.0, 0.0), wide.max).x_range()
+    );
     assert!(!layout.is_free(kept));
     layout.release();
     assert!(layout.is_free(kept));

@@ -73,9 +73,8 @@ pub(super) fn choose_form(
     layout: &Layout,
     show: impl Fn(&mut egui::Ui, &Style) -> Shown,
 ) -> Form {
-    let measure = |style: &Style, width: f32| {
-        measured(context, (width, style.is_flat), |ui| show(ui, style))
-    };
+    let measure =
+        |style: &Style, width: f32| measured(context, (width, style.is_flat), |ui| show(ui, style));
     let whole = |style: &'static Style, place: Rect, width: f32| Form {
         style,
         place,

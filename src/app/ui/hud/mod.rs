@@ -41,8 +41,7 @@ pub(crate) fn plugin(app: &mut App) {
                 journey::show_journey.in_set(Importance::Words),
                 stop::show_stop.in_set(Importance::Cards),
                 ship::show_question.in_set(Importance::Cards),
-                (read_outs::show_read_outs, ship::show_instruments)
-                    .in_set(Importance::Instruments),
+                (read_outs::show_read_outs, ship::show_instruments).in_set(Importance::Instruments),
                 ship::show_mission.in_set(Importance::Words),
                 toast::show_toast.in_set(Importance::Message),
                 physics_off::show_physics_off.in_set(Importance::Warning),

@@ -112,11 +112,7 @@ pub(super) fn map_sizes(painter: &egui::Painter, kerr: Kerr) -> Vec<Vec2> {
 }
 
 /// The place of the largest map for which there is room.
-fn place(
-    (painter, layout): (&egui::Painter, &mut Layout),
-    wish: Wish,
-    kerr: Kerr,
-) -> Option<Rect> {
+fn place((painter, layout): (&egui::Painter, &mut Layout), wish: Wish, kerr: Kerr) -> Option<Rect> {
     let sizes = map_sizes(painter, kerr);
     sizes
         .into_iter()

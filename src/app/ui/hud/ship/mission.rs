@@ -50,9 +50,8 @@ pub(in crate::app::ui::hud) fn show_mission(
         (true, without),
     ];
     let words = (units, &*bindings);
-    let boards = tries.map(|(next_only, rows)| {
-        goals(context, (attempt, next_only), rows, (words, places.goals))
-    });
+    let boards = tries
+        .map(|(next_only, rows)| goals(context, (attempt, next_only), rows, (words, places.goals)));
     let has_room = |board: &Board| {
         let size = board.size();
         size.x <= places.goals.width() && size.y <= places.goals.height()

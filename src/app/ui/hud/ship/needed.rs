@@ -123,5 +123,9 @@ pub fn most_rows(attempt: Option<&Attempt>, units: Units) -> [usize; 3] {
     let main = rows.iter().filter(|row| !row.is_minor || row.is_needed);
     let all_needed = rows.iter().filter(|row| row.is_needed).count();
     // The life that is left and the turning points are never shown together.
-    [rows.len() - 1, main.count() - 1, all_needed - points.min(life)]
+    [
+        rows.len() - 1,
+        main.count() - 1,
+        all_needed - points.min(life),
+    ]
 }
