@@ -4,6 +4,7 @@ use super::map_view::{Chart, draw_map, key_lines, map_height, outside_horizon};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::overlays::{Overlays, PathShown};
 use crate::app::state::preferences::Preferences;
+use crate::app::state::toast::Toast;
 use crate::app::ui::layout::{GAP, Layout, Slide, Wish};
 use crate::app::ui::screen::{BOX, Screen};
 use bevy::prelude::*;
@@ -22,6 +23,9 @@ const PADDING: f32 = 8.0;
 const PATH_AGE: Duration = Duration::from_millis(100);
 /// Number of points of the path: two turns.
 const PATH_POINTS: usize = 256;
+/// What is said where the map is chosen and has no place.
+const NO_ROOM: &str =
+    "The map has no room in this window: a larger window, or smaller texts, make room for it";
 
 pub(super) fn map_painter(context: &egui::Context) -> egui::Painter {
     context.layer_painter(LayerId::new(Order::Background, "map".into()))
@@ -32,8 +36,9 @@ pub(in crate::app::ui::hud) fn show_map(
     ship: Res<ShipFlight>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
-    time: Res<Time<Real>>,
+    (time, mut toast): (Res<Time<Real>>, ResMut<Toast>),
     mut known: Local<Option<(Duration, Vec<DVec3>)>>,
+    mut before: Local<PathShown>,
 ) {
     let Some(voyage) = ship.voyage() else {
         return;
@@ -41,6 +46,11 @@ pub(in crate::app::ui::hud) fn show_map(
     let Some((context, layout)) = screen.texts() else {
         return;
     };
+    let is_chosen = overlays.path == PathShown::MapAndLine && *before != overlays.path;
+    *before = overlays.path;
+    if is_chosen && layout.place_of("map").is_none() {
+        toast.say(NO_ROOM);
+    }
     let at_end = ship.attempt().and_then(|attempt| end_of(attempt, layout));
     let painter = map_painter(context);
     let kerr = voyage.flight.ship.kerr();
