@@ -65,8 +65,8 @@ pub use state::view_point::ViewPoint;
 pub use ui::glyphs::lacking;
 pub use ui::help::{help_rows, help_rows_at_helm};
 pub use ui::hud::{
-    Instrument, PathLine, ReadOut, Wanted, differences, instruments, map_half_width,
-    outside_horizon, physics_off, read_outs, wanted,
+    Instrument, PathLine, PilotNeeds, PilotPlaces, ReadOut, Wanted, differences, instruments,
+    map_half_width, most_rows, outside_horizon, physics_off, pilot_places, read_outs, wanted,
 };
 pub use ui::inspector::plane_handout;
 pub use ui::layout::{Layout, Slide, Taken, Wish};

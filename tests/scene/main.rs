@@ -48,6 +48,7 @@ mod menu;
 mod missions;
 mod never_lost;
 mod panel;
+mod pilot_places;
 #[cfg(target_os = "linux")]
 mod portal;
 mod program;

@@ -26,7 +26,8 @@ fn collect(shape: &egui::Shape, clip: egui::Rect, texts: &mut Vec<Text>) {
             if !words.trim().is_empty() && clip.intersects(letters) {
                 texts.push(Text {
                     words,
-                    place: place(letters),
+                    // Of a text that scrolls, a part is seen.
+                    place: place(letters.intersect(clip)),
                     opacity: text.opacity_factor,
                 });
             }

@@ -9,11 +9,12 @@ use super::typing::Typing;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, Control, FlightInput, Modifier};
 use crate::app::controls::helm::{button_at_helm, flies_ship, key_at_helm};
-use crate::app::state::end_card::{Closes, EndCard};
+use crate::app::state::end_card::{CardButtons, Closes, EndCard};
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use bevy::input::keyboard::KeyboardInput;
 use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -33,6 +34,8 @@ fn begin_mission(
     (menu, overlays): (Res<Menu>, Res<Overlays>),
     pads: Pads,
     mut claimed: ResMut<ClaimedKeys>,
+    windows: Query<&Window, With<PrimaryWindow>>,
+    card_buttons: Res<CardButtons>,
     mut end_card: ResMut<EndCard>,
 ) {
     let presses = pressed_with_modifiers(inputs.read(), &keys);
@@ -40,7 +43,9 @@ fn begin_mission(
     if !waits || menu.is_open() || overlays.pause_flights() {
         return;
     }
-    let mut begins = buttons.get_just_pressed().next().is_some();
+    let clicks = buttons.get_just_pressed().next().is_some();
+    // A card that scrolls is dragged.
+    let mut begins = clicks && !card_buttons.have_mouse(&windows);
     begins |= bindings.iter().any(|(control, _)| {
         let action = button_at_helm(control);
         // The triggers push at the ship's controls.

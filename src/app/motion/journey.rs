@@ -6,8 +6,9 @@ use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::keyboard::undo_last_change;
-use crate::app::state::end_card::EndCard;
-use crate::app::state::lessons::{Lessons, StartJourney, next_lesson};
+use crate::app::state::end_card::{EndCard, Way};
+use crate::app::state::lessons::{Lessons, OfferedLesson, StartJourney, next_lesson};
+use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
@@ -18,6 +19,8 @@ use lightfall_core::scene::journey::Journey;
 
 /// Seconds by which one press goes ahead or back.
 const SKIP: f64 = 5.0;
+/// The way from the end of a lesson to the next one: the key that begins the next mission after one.
+const NEXT_LESSON: Way = ("journey.fly", "next lesson");
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -39,9 +42,16 @@ fn apply_journey_commands(
     bindings: Res<Bindings>,
     mut end_card: ResMut<EndCard>,
     mut paused: ResMut<Paused>,
+    (mut offered, mut starts): (ResMut<OfferedLesson>, MessageWriter<StartJourney>),
 ) {
     for command in commands.read() {
         match command {
+            AppCommand::Journey if offered.0.is_some() => {
+                if let Some(lesson) = offered.0.take() {
+                    starts.write(StartJourney(lesson));
+                }
+                continue;
+            }
             AppCommand::JourneyBack | AppCommand::JourneyAhead => {
                 if player.is_playing() {
                     let back = *command == AppCommand::JourneyBack;
@@ -78,6 +88,10 @@ fn apply_journey_commands(
         paused.0 = false;
         end_card.close();
     }
+    // A key closes the card before its command is read.
+    if offered.0.is_some() && !end_card.is_open() {
+        offered.0 = None;
+    }
 }
 
 /// Goes on from a stop, or back to the one before. The pause ends, so that a presenter's remote is
@@ -105,15 +119,19 @@ fn go_on_or_back(
     }
 }
 
-/// Flies the journey that was chosen from a list.
+/// Flies the journey that was chosen from a list, or the lesson that comes next. A lesson ends the photo
+/// mode, which would hide its words.
 fn start_chosen_journey(
     mut starts: MessageReader<StartJourney>,
     mut player: ResMut<JourneyPlayer>,
     mut editor: SceneEditor,
-    mut end_card: ResMut<EndCard>,
+    (mut end_card, mut overlays): (ResMut<EndCard>, ResMut<Overlays>),
     mut paused: ResMut<Paused>,
 ) {
     for StartJourney(journey) in starts.read() {
+        if !journey.stops.is_empty() {
+            overlays.hidden = false;
+        }
         put_fields_back(&mut player, &mut editor);
         player.take(Journey::clone(journey));
         start(&mut player, true, &mut editor);
@@ -177,7 +195,8 @@ pub(super) fn advance_journey(
     preferences: Res<Preferences>,
     bindings: Res<Bindings>,
     (paused, shot): (Res<Paused>, Res<WindowShot>),
-    (mut end_card, mut lessons): (ResMut<EndCard>, ResMut<Lessons>),
+    mut end_card: ResMut<EndCard>,
+    (mut lessons, mut offered): (ResMut<Lessons>, ResMut<OfferedLesson>),
 ) {
     if !player.is_playing() {
         return;
@@ -211,7 +230,11 @@ pub(super) fn advance_journey(
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
             let [title, ending] = player.last_words().map(|text| bindings.with_keys(text));
             end_card.show(&title, &ending, again, fall);
-            end_card.details = after_lesson(&player, &mut lessons);
+            offered.0 = lesson_after(&player, &mut lessons);
+            end_card.details = after_lesson(&player, offered.0.as_deref());
+            if offered.0.is_some() {
+                end_card.ways.insert(0, NEXT_LESSON);
+            }
         }
         FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
     }
@@ -219,17 +242,24 @@ pub(super) fn advance_journey(
 
 /// What the card at the end of a lesson says besides: how its questions were answered, and what comes next.
 /// Empty for other journeys.
-fn after_lesson(player: &JourneyPlayer, lessons: &mut Lessons) -> String {
+fn after_lesson(player: &JourneyPlayer, next: Option<&Journey>) -> String {
+    if player.journey().stops.is_empty() {
+        return String::new();
+    }
+    let next = next.map(|lesson| format!("Next lesson: {}", lesson.title));
+    let lines: Vec<String> = player.score().into_iter().chain(next).collect();
+    lines.join("\n")
+}
+
+/// The lesson of the list that comes after the one that has ended. None after other journeys.
+fn lesson_after(player: &JourneyPlayer, lessons: &mut Lessons) -> Option<Box<Journey>> {
     let journey = player.journey();
     if journey.stops.is_empty() {
-        return String::new();
+        return None;
     }
     // One that the command line names comes before any list is read. The menu says what is wrong with files.
     if lessons.0.is_empty() {
         drop(lessons.read());
     }
-    let next = next_lesson(&lessons.0, &journey.title);
-    let next = next.map(|lesson| format!("Next lesson, in the menu: {}", lesson.title));
-    let lines: Vec<String> = player.score().into_iter().chain(next).collect();
-    lines.join("\n")
+    next_lesson(&lessons.0, &journey.title).map(|lesson| Box::new(lesson.clone()))
 }

@@ -3,7 +3,8 @@
 
 use super::journey::{advance_journey, put_fields_back};
 use super::journey_player::{JourneyPlayer, ShownStops};
-use crate::app::state::end_card::EndCard;
+use super::ship::ShipFlight;
+use crate::app::state::end_card::{Closes, EndCard};
 use crate::app::state::lessons::{AskedRay, LessonUnderWay};
 use crate::app::state::overlays::{Overlays, Side};
 use crate::app::state::scene_editor::SceneEditor;
@@ -37,7 +38,7 @@ fn follow_stops(
     mut comparison: ResMut<Comparison>,
     mut asked: ResMut<AskedRay>,
     mut under_way: ResMut<LessonUnderWay>,
-    end_card: Res<EndCard>,
+    (end_card, ship): (Res<EndCard>, Res<ShipFlight>),
     mut editor: SceneEditor,
 ) {
     under_way.set_if_neq(LessonUnderWay {
@@ -48,8 +49,10 @@ fn follow_stops(
     });
     let shown = player.shown_stops().filter(|_| player.has_lesson());
     let Some(now) = shown else {
-        // The card at the end stands over the last stop's picture.
-        if player.has_lesson() || stage.before.is_some() && end_card.is_open() {
+        // The card at the end stands over the last stop's picture. The cards of missions close
+        // otherwise.
+        let has_card = end_card.is_open() && end_card.closes == Closes::Anything;
+        if player.has_lesson() || stage.before.is_some() && has_card {
             return;
         }
         if !player.is_playing() {
@@ -57,9 +60,11 @@ fn follow_stops(
         }
         // Nothing is touched without need, since a comparison that changes is drawn again.
         if let Some(before) = stage.before.take() {
+            // A mission has the picture for itself.
+            let is_left = ship.attempt().is_none();
             overlays.guides = before.guides;
-            overlays.show_side(Side::Left, before.inspector);
-            comparison.0 = before.comparison;
+            overlays.show_side(Side::Left, is_left && before.inspector);
+            comparison.0 = before.comparison.filter(|_| is_left);
             asked.0 = None;
         }
         return;
@@ -74,23 +79,23 @@ fn follow_stops(
     });
     let switches = player.journey().switches_of(now.stops);
     overlays.guides = switches.guides.unwrap_or(before.guides);
+    // An inspector or a comparison from before the lesson would cover what its stops show.
     let inspects = switches.inspector.map(|view| view != InspectorView::Closed);
-    overlays.show_side(Side::Left, inspects.unwrap_or(before.inspector));
+    overlays.show_side(Side::Left, inspects.unwrap_or(false));
     asked.set_if_neq(AskedRay(switches.inspector));
-    comparison.0 = compared(&player, &switches, before);
+    let compared = compared(&player, &switches);
+    // Nothing is touched without need, as above.
+    if compared.is_some() || comparison.0.is_some() {
+        comparison.0 = compared;
+    }
     stage.shown = Some(now);
 }
 
 /// The comparison after these switches: with what the stops before had led to.
-fn compared(
-    player: &JourneyPlayer,
-    switches: &Switches,
-    before: &Around,
-) -> Option<(Pinned, ComparisonMode)> {
+fn compared(player: &JourneyPlayer, switches: &Switches) -> Option<(Pinned, ComparisonMode)> {
     let divider = ComparisonMode::MIDDLE;
     let mode = match switches.side_by_side {
-        None => return before.comparison.clone(),
-        Some(SideBySide::Off) => return None,
+        None | Some(SideBySide::Off) => return None,
         Some(SideBySide::Divided) => ComparisonMode::SideBySide { divider },
         Some(SideBySide::TwoPictures) => ComparisonMode::TwoPictures,
     };

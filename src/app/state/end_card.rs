@@ -1,6 +1,7 @@
 //! The card over the picture that says where a flight has ended, and what can be done now.
 
 use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
 
 /// A control to name on the card: its name in the table, and what it does now.
 pub(crate) type Way = (&'static str, &'static str);
@@ -101,26 +102,51 @@ impl EndCard {
     }
 }
 
+/// Where a click or a touch uses the card and does not close it: its buttons or, where it scrolls, all of
+/// it. In logical pixels from the window's upper left corner.
+#[derive(Resource, Default)]
+pub(crate) struct CardButtons(pub(crate) Vec<Rect>);
+
+impl CardButtons {
+    /// Whether a place of the window is on them.
+    pub(crate) fn have(&self, place: Vec2) -> bool {
+        self.0.iter().any(|button| button.contains(place))
+    }
+
+    /// Whether the mouse is on them.
+    pub(crate) fn have_mouse(&self, windows: &Query<&Window, With<PrimaryWindow>>) -> bool {
+        let mouse = windows.iter().find_map(Window::cursor_position);
+        mouse.is_some_and(|mouse| self.have(mouse))
+    }
+}
+
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<EndCard>()
+        .init_resource::<CardButtons>()
         .add_systems(PreUpdate, close_end_card.after(bevy::input::InputSystems));
 }
 
 /// The next key, click, touch or button closes a card that anything closes. Fingers have no keys: a touch
-/// closes every card.
+/// closes every card. A click or a touch on a button of the card uses it.
 fn close_end_card(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
     touches: Res<Touches>,
     pads: Query<&Gamepad>,
+    windows: Query<&Window, With<PrimaryWindow>>,
+    card_buttons: Res<CardButtons>,
     mut end_card: ResMut<EndCard>,
 ) {
+    let clicks = buttons.get_just_pressed().next().is_some();
     let used = keys.get_just_pressed().next().is_some()
-        || buttons.get_just_pressed().next().is_some()
+        || clicks && !card_buttons.have_mouse(&windows)
         || pads
             .iter()
             .any(|pad| pad.get_just_pressed().next().is_some());
-    let closes = used && end_card.closes == Closes::Anything || touches.any_just_pressed();
+    let touched = touches
+        .iter_just_pressed()
+        .any(|touch| !card_buttons.have(touch.position()));
+    let closes = used && end_card.closes == Closes::Anything || touched;
     if closes && end_card.is_open() {
         end_card.close();
     }

@@ -17,6 +17,10 @@ pub(crate) struct GuidedJourney(pub(crate) Journey);
 #[derive(Message, Clone, Debug)]
 pub(crate) struct StartJourney(pub(crate) Box<Journey>);
 
+/// The lesson that the card at the end of another one offers.
+#[derive(Resource, Default)]
+pub(crate) struct OfferedLesson(pub(crate) Option<Box<Journey>>);
+
 /// Whether a journey with stops is under way, whose keys go on and back.
 #[derive(Resource, Default, PartialEq)]
 pub(crate) struct LessonUnderWay {
@@ -65,6 +69,7 @@ pub fn next_lesson<'a>(list: &'a [Journey], title: &str) -> Option<&'a Journey> 
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Lessons>()
         .init_resource::<LessonUnderWay>()
+        .init_resource::<OfferedLesson>()
         .init_resource::<AskedRay>()
         .init_resource::<ShownRay>()
         .add_message::<StartJourney>();

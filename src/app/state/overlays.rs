@@ -165,6 +165,12 @@ impl Overlays {
         self.last_opened = Some(Side::Right);
     }
 
+    /// Gives the picture to a flight that begins with words of its own: closes the ray inspector, and ends
+    /// the photo mode.
+    pub(crate) fn clear_picture(&mut self) {
+        (self.inspector, self.hidden) = (false, false);
+    }
+
     /// Shares a window of this width, in points: where both panels are open and do not fit beside the
     /// picture, the one that was opened last covers the other.
     pub(crate) fn share(&mut self, window_width: f32) {

@@ -1,14 +1,20 @@
-//! Draws the end card beside the hole.
+//! Draws the end card beside the hole, and lets mouse and fingers use what it offers.
+
+mod form;
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::state::end_card::{EndCard, Lamp, LampKind};
-use crate::app::ui::layout::{Importance, Slide};
-use crate::app::ui::screen::{Screen, show_placed, text_box};
+use crate::app::controls::control::{Action, AppCommand};
+use crate::app::controls::table::control_named;
+use crate::app::state::end_card::{CardButtons, Closes, EndCard, Lamp, LampKind, Way};
+use crate::app::state::helm::CommandSender;
+use crate::app::ui::layout::Importance;
+use crate::app::ui::screen::{Screen, show_scrolled, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
+use form::{Style, choose_form};
 
-/// Largest width of the card, in points.
-const MAX_WIDTH: f32 = 330.0;
+/// Name of the card, which is its egui area.
+const NAME: &str = "end card";
 /// Colour of the names of keys.
 const KEY: egui::Color32 = egui::Color32::from_rgb(255, 205, 120);
 /// Colours of the other words.
@@ -26,16 +32,37 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
+/// A way on: its keys, what it does, and what a click on it sends. The keys that fly have no button.
+struct ShownWay {
+    inputs: String,
+    does: String,
+    command: Option<AppCommand>,
+}
+
+/// What was shown.
+struct Shown {
+    /// What was clicked.
+    used: Option<AppCommand>,
+    buttons: Vec<egui::Rect>,
+    /// The height of the words above the ways, in points.
+    words: f32,
+}
+
 fn show_end_card(
     mut screen: Screen,
-    end_card: Res<EndCard>,
-    bindings: Res<Bindings>,
-    pad_bindings: Res<PadBindings>,
+    mut end_card: ResMut<EndCard>,
+    mut buttons: ResMut<CardButtons>,
+    (bindings, pad_bindings): (Res<Bindings>, Res<PadBindings>),
     pads: Query<&Gamepad>,
+    mut commands: CommandSender,
 ) {
+    buttons.0.clear();
     let Some((context, layout)) = screen.texts().filter(|_| end_card.is_open()) else {
         return;
     };
+    if !layout.bounds().is_positive() {
+        return;
+    }
     // The keys of a control and, with a gamepad, its buttons.
     let inputs = |id: &str| {
         let keys = match id {
@@ -46,7 +73,7 @@ fn show_end_card(
         };
         let buttons = match id {
             // At the ship's controls this button holds the orbit.
-            "journey.fly" => String::new(),
+            "journey.fly" if commands.helm.has_ship() => String::new(),
             _ => pad_bindings.label(id),
         };
         match (pads.is_empty() || buttons.is_empty(), keys.is_empty()) {
@@ -55,28 +82,142 @@ fn show_end_card(
             (false, false) => format!("{keys} or {buttons}"),
         }
     };
-    let ways: Vec<(String, &str)> = end_card
-        .ways
-        .iter()
-        .map(|(id, does)| (inputs(id), *does))
-        .filter(|(inputs, _)| !inputs.is_empty())
-        .collect();
-    let beside = layout.at(egui::Align2::RIGHT_CENTER, Slide::Anywhere);
-    let below = layout.at(egui::Align2::CENTER_BOTTOM, Slide::Anywhere);
-    let width = MAX_WIDTH.min(layout.bounds().width());
-    let upright = |ui: &mut egui::Ui| show_upright(ui, &end_card, &ways, width);
-    if show_placed(context, layout, "end card", beside, upright).is_some() {
-        return;
+    let way = |(id, does): &Way| {
+        let command = command_of(id).filter(|_| end_card.closes != Closes::Flying);
+        ShownWay {
+            inputs: inputs(id),
+            does: match command {
+                Some(_) => capitalised(does),
+                None => (*does).to_owned(),
+            },
+            command,
+        }
+    };
+    let mut ways: Vec<ShownWay> = end_card.ways.iter().map(way).collect();
+    ways.retain(|way| way.command.is_some() || !way.inputs.is_empty());
+    let (card, ways): (&EndCard, &[ShownWay]) = (&end_card, &ways);
+    let form = choose_form(context, layout, |ui, style| {
+        show(ui, (card, ways), style, f32::INFINITY)
+    });
+    layout.take(NAME, form.place);
+    let shown = egui::Area::new(NAME.into())
+        .fixed_pos(form.place.min)
+        .constrain(false)
+        .fade_in(false)
+        .order(egui::Order::Foreground)
+        .show(context, |ui| {
+            ui.set_max_width(form.width);
+            show(ui, (card, ways), form.style, form.words)
+        })
+        .inner;
+    // A card that scrolls may be dragged anywhere.
+    let kept = match form.words.is_finite() {
+        true => vec![form.place],
+        false => shown.buttons,
+    };
+    let zoom = context.zoom_factor();
+    let in_pixels = |place: egui::Rect| {
+        let [[left, top], [right, bottom]] = [place.min, place.max].map(|at| [at.x, at.y]);
+        Rect::new(zoom * left, zoom * top, zoom * right, zoom * bottom)
+    };
+    buttons.0 = kept.into_iter().map(in_pixels).collect();
+    if let Some(command) = shown.used {
+        commands.send(command);
+        if end_card.closes == Closes::Anything {
+            end_card.close();
+        }
     }
-    let width = layout.bounds().width();
-    let flat = |ui: &mut egui::Ui| show_flat(ui, &end_card, &ways, width);
-    if show_placed(context, layout, "end card", below, flat).is_none() {
-        show_placed(context, layout, "end card", below.even_over_hole(), flat);
+}
+
+/// The command that a control sends, if it sends one.
+fn command_of(id: &str) -> Option<AppCommand> {
+    match control_named(id)?.action {
+        Action::Do(command) => Some(command),
+        _ => None,
     }
+}
+
+/// The words with a capital first letter, as they stand on buttons.
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }
 
 fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
     egui::RichText::new(text).size(size).color(colour)
+}
+
+/// Shows the card. Words higher than `most` scroll, and the ways stay below them.
+fn show(
+    ui: &mut egui::Ui,
+    (card, ways): (&EndCard, &[ShownWay]),
+    style: &Style,
+    most: f32,
+) -> Shown {
+    let framed = text_box(style.margin, 8.0).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = style.spacing;
+        let words = if most.is_finite() {
+            show_scrolled(ui, most, |ui| show_words(ui, card, style))
+        } else {
+            let shown = ui.scope(|ui| show_words(ui, card, style));
+            shown.response.rect.height()
+        };
+        let mut shown = Shown {
+            used: None,
+            buttons: Vec::new(),
+            words,
+        };
+        ui.add_space(style.gap);
+        if style.is_flat {
+            ui.horizontal_wrapped(|ui| {
+                for way in ways {
+                    show_way(ui, way, style, &mut shown);
+                    ui.add_space(6.0);
+                }
+            });
+        } else {
+            let grid = egui::Grid::new("ways").num_columns(2);
+            grid.spacing([16.0, 5.0]).show(ui, |ui| {
+                for way in ways {
+                    show_way(ui, way, style, &mut shown);
+                    ui.end_row();
+                }
+            });
+        }
+        shown
+    });
+    framed.inner
+}
+
+/// Shows the keys of a way, and what it does.
+fn show_way(ui: &mut egui::Ui, way: &ShownWay, style: &Style, shown: &mut Shown) {
+    ui.label(words(&way.inputs, style.way, KEY));
+    let does = words(&way.does, style.way, WHITE);
+    let Some(command) = way.command else {
+        ui.label(does);
+        return;
+    };
+    let button = ui.add(egui::Button::new(does).min_size(style.button));
+    shown.buttons.push(button.rect);
+    if button.clicked() {
+        shown.used = Some(command);
+    }
+}
+
+/// Shows what the card says above the ways.
+fn show_words(ui: &mut egui::Ui, card: &EndCard, style: &Style) {
+    ui.label(words(&card.title, style.title, WHITE));
+    ui.add_space(style.gap);
+    if !card.text.is_empty() {
+        ui.label(words(&card.text, style.text, GREY));
+        ui.add_space(style.gap);
+    }
+    show_lamps(ui, &card.lamps, style.text);
+    if !card.details.is_empty() {
+        ui.add_space(style.gap);
+        ui.label(words(&card.details, style.details, GREY));
+    }
 }
 
 /// Shows the lamps, each with its name and what it needed.
@@ -99,56 +240,4 @@ fn show_lamps(ui: &mut egui::Ui, lamps: &[Lamp], size: f32) {
             ui.label(words(&lamp.needed, 0.9 * size, GREY));
         });
     }
-}
-
-/// Shows the card as a column beside the hole.
-fn show_upright(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: f32) {
-    ui.set_max_width(width);
-    text_box(18.0, 8.0).show(ui, |ui| {
-        ui.label(words(&card.title, 22.0, WHITE));
-        ui.add_space(6.0);
-        if !card.text.is_empty() {
-            ui.label(words(&card.text, 15.0, GREY));
-            ui.add_space(6.0);
-        }
-        show_lamps(ui, &card.lamps, 15.0);
-        if !card.details.is_empty() {
-            ui.add_space(6.0);
-            ui.label(words(&card.details, 14.0, GREY));
-        }
-        ui.add_space(6.0);
-        egui::Grid::new("ways")
-            .num_columns(2)
-            .spacing([16.0, 5.0])
-            .show(ui, |ui| {
-                for (inputs, does) in ways {
-                    ui.label(words(inputs, 15.0, KEY));
-                    ui.label(words(does, 15.0, WHITE));
-                    ui.end_row();
-                }
-            });
-    });
-}
-
-/// Shows the card as a strip below the hole.
-fn show_flat(ui: &mut egui::Ui, card: &EndCard, ways: &[(String, &str)], width: f32) {
-    ui.set_max_width(width);
-    text_box(6.0, 6.0).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 2.0;
-        ui.label(words(&card.title, 14.0, WHITE));
-        if !card.text.is_empty() {
-            ui.label(words(&card.text, 12.0, GREY));
-        }
-        show_lamps(ui, &card.lamps, 12.0);
-        if !card.details.is_empty() {
-            ui.label(words(&card.details, 12.0, GREY));
-        }
-        ui.horizontal_wrapped(|ui| {
-            for (inputs, does) in ways {
-                ui.label(words(inputs, 12.0, KEY));
-                ui.label(words(does, 12.0, WHITE));
-                ui.add_space(6.0);
-            }
-        });
-    });
 }

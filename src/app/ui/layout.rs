@@ -1,24 +1,20 @@
 //! The layout of everything that lies over the picture. Each system asks for a place in the order of
 //! [`Importance`]. Nothing gets a place that is taken, and what finds no place is left out.
 
-use crate::app::state::hole_in_view::HoleInView;
-use crate::app::state::menu::Menu;
-use crate::app::state::overlays::Overlays;
-use crate::app::ui::help::HELP;
-use crate::app::ui::menu::menu_frame;
-use crate::app::ui::picture_in_window::PictureInWindow;
-use crate::app::ui::screen::MARGIN;
-use bevy::prelude::*;
-use bevy_egui::egui::{self, Align2, Pos2, Rect, Vec2, pos2, vec2};
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
+mod order;
+mod rooms;
+
+pub(crate) use order::{Importance, plugin};
+
+use bevy::prelude::Resource;
+use bevy_egui::egui::{Align2, Pos2, Rect, Vec2, pos2, vec2};
 
 /// Minimum room between two boxes, in points.
 pub(crate) const GAP: f32 = 6.0;
 /// Name of the hole's box.
 const HOLE: &str = "hole";
-/// Maximum size of the part of the hole that is kept free, as a share of the free part of the window. A
-/// larger hole leaves room for texts at the edges.
-const MAX_HOLE: f32 = 0.5;
+/// Name of the place that is kept for messages.
+const KEPT: &str = "kept for messages";
 /// Weight of a shift sideways against one up or down.
 const SIDEWAYS: f32 = 3.0;
 /// Weight of the distance of a label from its place, and of a point that the label hides.
@@ -35,32 +31,6 @@ const DIRECTIONS: [Vec2; 8] = [
     vec2(0.0, 1.0),
     vec2(0.0, -1.0),
 ];
-
-/// The order in which places are given.
-#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Importance {
-    /// Finds the free part of the window.
-    Room,
-    /// The buttons for fingers.
-    TouchBar,
-    /// The card at the end of a flight, and notices.
-    Cards,
-    /// A journey's words.
-    Words,
-    Message,
-    /// What is switched off.
-    Warning,
-    /// What the sides of a comparison are.
-    Sides,
-    Legend,
-    ReadOuts,
-    /// The arrow to the hole, or its ring.
-    Compass,
-    Title,
-    Guides,
-    KeyHints,
-    StarNames,
-}
 
 /// How far a box may be from its wish.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,8 +81,8 @@ pub struct Taken {
 pub struct Layout {
     bounds: Rect,
     taken: Vec<Taken>,
-    /// What was where in the last frame.
-    last: Vec<Taken>,
+    /// A place that is kept free for messages until they have theirs.
+    kept: Option<Rect>,
     /// Points of a drawing, which labels leave free where they can.
     drawn: Vec<Pos2>,
 }
@@ -130,7 +100,7 @@ impl Layout {
         Self {
             bounds,
             taken: Vec::new(),
-            last: Vec::new(),
+            kept: None,
             drawn: Vec::new(),
         }
     }
@@ -154,17 +124,23 @@ impl Layout {
         found.map(|taken| taken.place)
     }
 
-    /// The height that the box of this name had in the last frame, with the gap above it. 0 without it.
+    /// The part of the bounds above the buttons for fingers.
     #[must_use]
-    pub fn last_height(&self, name: &str) -> f32 {
-        let found = self.last.iter().find(|taken| taken.name == name);
-        found.map_or(0.0, |taken| taken.place.height() + GAP)
+    pub fn above_touch_bar(&self) -> Rect {
+        let mut room = self.bounds;
+        if let Some(bar) = self.place_of("touch bar") {
+            room.max.y = room.bottom().min(bar.top() - GAP);
+        }
+        room
     }
 
     /// A wish for the middle of the lower edge, above the read-outs and this much more.
     #[must_use]
     pub fn above_read_outs(&self, more: f32) -> Wish {
-        let bottom = self.bounds.bottom() - self.last_height("read-outs") - more;
+        let lowest = self
+            .place_of("read-outs")
+            .map_or(self.bounds.bottom(), |place| place.top() - GAP);
+        let bottom = lowest - more;
         Wish {
             anchor: Align2::CENTER_BOTTOM,
             at: pos2(self.bounds.center().x, bottom),
@@ -189,6 +165,22 @@ impl Layout {
         self.taken.push(Taken { name, place });
     }
 
+    /// Keeps a place free for messages.
+    pub fn keep_for_messages(&mut self, place: Rect) {
+        self.kept = Some(place);
+    }
+
+    /// Gives the place that was kept for messages to them and to what comes after them.
+    pub fn release(&mut self) {
+        self.kept = None;
+    }
+
+    /// What is taken or kept.
+    fn obstacles(&self) -> impl Iterator<Item = Taken> {
+        let kept = self.kept.map(|place| Taken { name: KEPT, place });
+        self.taken.iter().copied().chain(kept)
+    }
+
     /// Asks labels to leave these points free.
     pub fn avoid(&mut self, points: impl IntoIterator<Item = Pos2>) {
         let bounds = self.bounds;
@@ -206,12 +198,11 @@ impl Layout {
     /// Whether a box lies within the bounds and covers nothing.
     #[must_use]
     pub fn is_free(&self, place: Rect) -> bool {
-        self.is_free_of(place, &self.taken)
+        self.is_free_of(place, self.obstacles())
     }
 
-    fn is_free_of<'a>(&self, place: Rect, taken: impl IntoIterator<Item = &'a Taken>) -> bool {
+    fn is_free_of(&self, place: Rect, mut taken: impl Iterator<Item = Taken>) -> bool {
         let room = place.expand(0.5 * GAP);
-        let mut taken = taken.into_iter();
         self.bounds.expand(1.0).contains_rect(place)
             && taken.all(|taken| !taken.place.intersects(room))
     }
@@ -226,7 +217,7 @@ impl Layout {
     /// The free place for a box of this size that is nearest to its wish.
     #[must_use]
     pub fn wished(&self, size: Vec2, wish: Wish) -> Option<Rect> {
-        let mut taken: Vec<&Taken> = self.taken.iter().collect();
+        let mut taken: Vec<Taken> = self.obstacles().collect();
         let place = self.nearest(size, wish, &taken);
         if place.is_some() || !wish.covers_hole {
             return place;
@@ -237,13 +228,13 @@ impl Layout {
 
     /// The place beside taken ones that is nearest to a wish. It touches the edges of taken ones or of
     /// the bounds, so that no others need to be tried.
-    fn nearest(&self, size: Vec2, wish: Wish, taken: &[&Taken]) -> Option<Rect> {
+    fn nearest(&self, size: Vec2, wish: Wish, taken: &[Taken]) -> Option<Rect> {
         let wanted = wish.anchor.anchor_size(wish.at, size).min;
         let bounds = self.bounds;
         let (mut lefts, mut tops) = (vec![wanted.x], vec![wanted.y]);
         if wish.slide != Slide::Nowhere {
             tops.extend([bounds.top(), bounds.bottom() - size.y]);
-            let beside = |taken: &&Taken| {
+            let beside = |taken: &Taken| {
                 let Rect { min, max } = taken.place;
                 [min.y - GAP - size.y, max.y + GAP]
             };
@@ -251,7 +242,7 @@ impl Layout {
         }
         if wish.slide == Slide::Anywhere {
             lefts.extend([bounds.left(), bounds.right() - size.x]);
-            let beside = |taken: &&Taken| {
+            let beside = |taken: &Taken| {
                 let Rect { min, max } = taken.place;
                 [min.x - GAP - size.x, max.x + GAP]
             };
@@ -299,59 +290,4 @@ impl Layout {
         self.take(name, place);
         Some(place)
     }
-}
-
-pub(crate) fn plugin(app: &mut App) {
-    use Importance::{
-        Cards, Compass, Guides, KeyHints, Legend, Message, ReadOuts, Room, Sides, StarNames, Title,
-        TouchBar, Warning, Words,
-    };
-    let order = (
-        (
-            Room, TouchBar, Cards, Words, Message, Warning, Sides, Legend,
-        )
-            .chain(),
-        (ReadOuts, Compass, Title, Guides, KeyHints, StarNames).chain(),
-    );
-    app.init_resource::<Layout>()
-        .configure_sets(EguiPrimaryContextPass, order.chain())
-        .add_systems(EguiPrimaryContextPass, begin_layout.in_set(Room));
-}
-
-/// Begins a frame's layout: the panels, the help, the menu and the middle of the hole are taken.
-fn begin_layout(
-    mut contexts: EguiContexts,
-    (overlays, menu): (Res<Overlays>, Res<Menu>),
-    hole: Res<HoleInView>,
-    picture: PictureInWindow,
-    mut layout: ResMut<Layout>,
-) -> Result {
-    let context = contexts.ctx_mut()?;
-    let screen = context.content_rect();
-    let bounds = overlays
-        .free_span(screen.width())
-        .map_or(Rect::NOTHING, |[left, right]| {
-            Rect::from_x_y_ranges(left..=right, screen.y_range()).shrink(MARGIN)
-        });
-    let taken = std::mem::take(&mut layout.taken);
-    *layout = Layout {
-        last: taken,
-        ..Layout::within(bounds)
-    };
-    if menu.is_open() {
-        layout.take("menu", menu_frame(screen, &menu));
-    }
-    let help = context.memory(|memory| memory.area_rect(egui::Id::new(HELP)));
-    if let Some(help) = help.filter(|_| overlays.help && !overlays.hidden) {
-        layout.take("help", help);
-    }
-    let middle = Rect::from_center_size(bounds.center(), MAX_HOLE * bounds.size());
-    let holes = hole.0.map(|hole| picture.holes(context, &hole));
-    for hole in holes.unwrap_or_default() {
-        let kept = hole.intersect(middle);
-        if kept.is_positive() {
-            layout.take(HOLE, kept);
-        }
-    }
-    Ok(())
 }

@@ -46,7 +46,8 @@ fn apply_photo_mode(
         }
         (false, Some(before)) => {
             *paused_before = None;
-            paused.0 = before;
+            // A mission that has begun meanwhile has ended the pause.
+            paused.0 &= before;
             toast.say("Photo mode: off");
         }
         _ => {}

@@ -46,8 +46,26 @@ pub(crate) fn text_box(inner_margin: f32, corner_radius: f32) -> egui::Frame {
         .corner_radius(corner_radius)
 }
 
+/// Shows contents that scroll where they are higher than `most` points. Returns their height on the screen.
+pub(crate) fn show_scrolled(
+    ui: &mut egui::Ui,
+    most: f32,
+    contents: impl FnOnce(&mut egui::Ui),
+) -> f32 {
+    let most = most.max(0.0);
+    // Its bar is always seen, so that nobody misses what is below.
+    ui.spacing_mut().scroll = egui::style::ScrollStyle::solid();
+    let shown = egui::ScrollArea::vertical()
+        .max_height(most)
+        // An area takes its size of the last frame for all the room that there is.
+        .min_scrolled_height(most)
+        .show(ui, contents);
+    shown.inner_rect.height()
+}
+
 /// Shows contents where the layout has room for them, as near as possible to their wish. Contents larger
-/// than the layout's bounds are drawn smaller. Returns their box, or `None` where there is no room, and
+/// than the layout's bounds are drawn smaller, and so are those that cover the hole and find no place for
+/// their size. Returns their box, or `None` where there is no room, and
 /// then shows nothing.
 pub(crate) fn show_placed(
     context: &egui::Context,
@@ -67,8 +85,13 @@ pub(crate) fn show_placed(
     // Their size is known only now, so that what is drawn moves to its place.
     let drawn = ui.min_rect();
     let room = layout.bounds().size() / drawn.size();
-    let scale = room.min_elem().min(1.0);
-    let place = layout.place(name, scale * drawn.size(), wish);
+    let mut scale = room.min_elem().min(1.0);
+    let mut place = layout.place(name, scale * drawn.size(), wish);
+    if place.is_none() && wish.covers_hole {
+        let room = layout.room_for(scale * drawn.width());
+        scale = (room.size() / drawn.size()).min_elem().min(scale);
+        place = layout.place(name, scale * drawn.size(), wish);
+    }
     match place {
         Some(place) => {
             let moved = TSTransform::new(place.min - scale * drawn.min, scale);

@@ -66,6 +66,7 @@ fn assert_laid_out(state: &State, scale: f32, free: [f32; 2], what: &str) {
                 "toast",
                 "journey",
                 "caption",
+                "mission",
                 "instruments",
                 "map",
             ]
@@ -182,6 +183,53 @@ fn captions_the_end_card_and_the_whole_menu_have_room_in_small_windows() {
     let menu = desktop.wait_for("the menu", |state| state.shows("Quit"));
     let last = menu.texts.iter().find(|text| text.words == "Quit").unwrap();
     assert!(last.place.max[1] < height as f32 - 10.0, "{last:?}");
+}
+
+/// Windows of players, and their text sizes.
+const WINDOWS: [[i32; 2]; 3] = [[800, 600], [1024, 768], [1280, 720]];
+const TEXTS: [f32; 4] = [1.0, 1.25, 1.5, 2.0];
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_message_moves_neither_the_instruments_nor_the_map_of_a_mission() {
+    let desktop = Desktop::open(&["--preset", PLAIN]);
+    desktop.first_picture();
+    press_all(&desktop, &["shift+j", "Return"]);
+    desktop.wait_for("the card", |state| state.ship.is_some() && !state.menu);
+    let place = |state: &State, wanted: &str| {
+        let found = state.boxes.iter().find(|(name, _)| name == wanted);
+        found.map(|(_, place)| *place)
+    };
+    let mut maps = 0;
+    let mut looked = |with_card: bool| {
+        for [width, height] in WINDOWS {
+            desktop.resize(width, height);
+            for scale in TEXTS {
+                desktop.order(&Order::TextSize(scale));
+                let before = desktop.later(FRAMES);
+                // The map's key says something, and leaves the card open.
+                press_all(&desktop, &["shift+m", "shift+m", "shift+m"]);
+                let said = desktop.later(FRAMES);
+                let what = format!("{width} x {height}, {scale}, card {with_card}");
+                assert!(place(&said, "toast").is_some(), "{what}: {:?}", said.boxes);
+                assert!(place(&said, "instruments").is_some(), "{what}");
+                for name in ["instruments", "map"] {
+                    assert_eq!(place(&before, name), place(&said, name), "{what}: {name}");
+                }
+                maps += u32::from(place(&said, "map").is_some());
+                assert_laid_out(&said, scale, [0.0, width as f32 / scale], &what);
+            }
+        }
+        desktop.order(&Order::TextSize(1.0));
+    };
+    looked(true);
+    // The card gives way, and the clocks stand as they are.
+    press_all(&desktop, &["Escape", "slash"]);
+    desktop.wait_for("the caption", |state| {
+        state.mentions("Your nose points backward")
+    });
+    looked(false);
+    assert!(maps >= 8, "the map has a place in {maps} windows");
 }
 
 #[test]

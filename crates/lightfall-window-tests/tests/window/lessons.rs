@@ -1,7 +1,7 @@
 //! Lessons: played by keys to their end, left, and made in the window.
 
 use crate::PLAIN;
-use crate::desktop::Desktop;
+use crate::desktop::{Desktop, Setup};
 use lightfall_core::scene::Value;
 use lightfall_core::scene::journey::{SideBySide, load};
 use std::path::PathBuf;
@@ -107,7 +107,7 @@ fn a_lesson_is_played_by_keys_to_its_end_and_what_it_has_switched_is_put_back() 
     assert!(end.journey.is_none() && !has_box(&end, "stop"));
     assert!(
         end.mentions("0 of 2 questions right at once, 1 after more tries.")
-            && end.mentions("Next lesson, in the menu: Falling in, and the two clocks")
+            && end.mentions("Next lesson: Falling in, and the two clocks")
     );
     let results = desktop.settings().with_file_name("lesson-results.csv");
     let rows = std::fs::read_to_string(results).unwrap();
@@ -135,6 +135,57 @@ fn a_lesson_is_played_by_keys_to_its_end_and_what_it_has_switched_is_put_back() 
         "{}",
         desktop.stderr()
     );
+}
+
+/// A lesson with this title, which has one stop.
+fn short_lesson(title: &str) -> String {
+    format!(
+        "schema = 1\ntitle = \"{title}\"\n[[keyframe]]\ntime = 0\nr = 20\n[[keyframe]]\ntime = 1\nr = 18\n\
+         [[stop]]\nat = 0\ncaption = \"Look.\"\n"
+    )
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_card_at_the_end_of_a_lesson_begins_the_next_one_by_its_key_and_by_a_click() {
+    let names = ["Alpha", "Beta", "Gamma"];
+    let files = names.map(|name| {
+        let file = match name {
+            "Alpha" => "lessons/a.toml",
+            "Beta" => "lessons/b.toml",
+            _ => "lessons/c.toml",
+        };
+        (file, short_lesson(name))
+    });
+    let setup = Setup {
+        files: &files,
+        ..Setup::default()
+    };
+    let desktop = Desktop::open_with(&setup, &["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.order(&Order::Step(STEP));
+    desktop.press("Escape");
+    desktop.wait_for("the menu", |state| state.menu && state.shows("Lessons"));
+    for key in ["Down", "Down", "Down", "Return"] {
+        desktop.press(key);
+    }
+    desktop.wait_for("the list", |state| state.menu && state.shows("Alpha"));
+    desktop.click("Alpha");
+    let to_end = |name: &str| {
+        desktop.wait_for(name, |state| {
+            has_box(state, "stop") && state.mentions(&format!("{name} · 1 of 1"))
+        });
+        desktop.press("Next");
+        desktop.wait_for("the end card", |state| has_box(state, "end card"))
+    };
+    let end = to_end("Alpha");
+    assert!(end.shows("Next lesson: Beta"));
+    desktop.press("j");
+    to_end("Beta");
+    desktop.click("Next lesson");
+    let last = to_end("Gamma");
+    assert!(!last.mentions("Next lesson"), "{:?}", last.texts);
+    desktop.end_without_error();
 }
 
 /// A lesson that is flown in the scene that is shown.
@@ -278,8 +329,15 @@ fn a_lesson_begins_from_the_command_lines_preset_and_from_a_dropped_file() {
     desktop.wait_for("J leaves", |state| {
         state.journey.is_none() && is_on(state, "effects.doppler")
     });
+    // An inspector from before the lesson does not cover it.
+    desktop.press("i");
+    desktop.wait_for("the inspector", |state| state.shows("Ray inspector"));
     desktop.order(&Order::Drop(file));
     let dropped = wait_for_stop(&desktop, "1 of 2");
     assert!(!is_on(&dropped, "effects.doppler"));
+    desktop.wait_for("no inspector", |state| !state.shows("Ray inspector"));
+    // Who leaves the lesson has it again.
+    desktop.press("j");
+    desktop.wait_for("the inspector again", |state| state.shows("Ray inspector"));
     assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }

@@ -288,6 +288,39 @@ fn the_question_of_a_mission_is_answered_after_its_goals_and_the_answer_is_kept(
     });
 }
 
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_mission_closes_the_inspector_the_comparison_and_the_photo_mode() {
+    let desktop = Desktop::open_small(&["--preset", PLAIN]);
+    desktop.first_picture();
+    desktop.press("i");
+    desktop.press("0");
+    desktop.wait_for("the inspector and two sides", |state| {
+        state.shows("Ray inspector") && state.comparison == "side by side"
+    });
+    let begin = || {
+        desktop.press("shift+j");
+        desktop.wait_for("the list", |state| state.menu && state.shows("Two burns"));
+        desktop.press("Return");
+        desktop.wait_for("the mission with its card", |state| {
+            !state.menu && state.ship.is_some() && has_card(state)
+        })
+    };
+    let begun = begin();
+    assert!(!begun.shows("Ray inspector") && begun.comparison.is_empty());
+    // Its card would not be seen in the photo mode, and the ship would wait.
+    desktop.press("h");
+    desktop.wait_for("the photo mode", |state| !has_card(state));
+    begin();
+    desktop.press("w");
+    wait_for(&desktop, "the ship's time", |ship| ship.own_time > 0.0);
+    // What was closed stays closed.
+    desktop.press("shift+f");
+    let left = desktop.wait_for("no ship", |state| state.ship.is_none());
+    assert!(!left.shows("Ray inspector") && left.comparison.is_empty());
+    desktop.end_without_error();
+}
+
 /// The first mission with another name and title.
 fn own_mission(name: &str, title: &str) -> String {
     let file = concat!(

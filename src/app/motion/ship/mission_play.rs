@@ -8,6 +8,7 @@ use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::state::end_card::{Closes, EndCard};
 use crate::app::state::mission_results::MissionResult;
 use crate::app::state::missions::{AskedQuestion, Missions, StartMission};
+use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::result_file::time_now;
 use crate::app::state::scene_editor::SceneEditor;
@@ -18,6 +19,7 @@ use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::ship::{Attempt, Clocks, Outcome};
 use lightfall_core::scene::mission::{Better, Hint, Mission};
 use lightfall_platform::worker::Follower;
+use lightfall_render::Comparison;
 use std::time::Duration;
 
 /// What the window remembers of a mission besides the flight.
@@ -122,12 +124,14 @@ impl Default for SolutionTimes {
     }
 }
 
-/// Begins missions.
+/// Begins missions. A mission has the picture for itself: what lay over it, and a comparison with
+/// another scene, would cover the flight.
 pub(super) fn start_missions(
     mut starts: MessageReader<StartMission>,
     mut ship: ResMut<ShipFlight>,
     (mut play, mut times): (ResMut<MissionPlay>, ResMut<SolutionTimes>),
     (mut missions, mut asked): (ResMut<Missions>, ResMut<AskedQuestion>),
+    (mut overlays, mut comparison): (ResMut<Overlays>, ResMut<Comparison>),
     mut camera: CameraMotions,
     mut end_card: ResMut<EndCard>,
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
@@ -141,6 +145,11 @@ pub(super) fn start_missions(
         }
         camera.end();
         asked.close();
+        overlays.clear_picture();
+        // A comparison that is touched is drawn again.
+        if comparison.0.is_some() {
+            comparison.0 = None;
+        }
         // One that the command line names, or a file that is dropped, comes before any list is read. The
         // list says what is wrong with its files when it is opened.
         if missions.list.is_empty() {

@@ -3,7 +3,7 @@
 use crate::app::ui::layout::{Layout, Wish};
 use crate::app::ui::screen::BOX;
 use bevy_egui::egui;
-use egui::text::LayoutJob;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Color32, FontId, Galley, LayerId, Order, Painter, Rect, Vec2};
 use std::sync::Arc;
 
@@ -18,20 +18,23 @@ pub(super) const QUIET: Color32 = Color32::from_gray(198);
 pub(super) const WARNING: Color32 = Color32::from_rgb(255, 190, 90);
 
 /// Room between a board's texts and its edge, in points.
-const PADDING: Vec2 = Vec2::new(10.0, 6.0);
+pub(super) const PADDING: Vec2 = Vec2::new(10.0, 6.0);
 const CORNER_RADIUS: f32 = 5.0;
 
+/// The width, the size and the most rows of a text.
+type Shape = (f32, f32, usize);
 /// Widths, as shares of the largest one, sizes, as shares of the usual one, and numbers of rows in which
-/// a text is tried.
-const SHAPES: [(f32, f32, usize); 5] = [
+/// a text is tried: those of the usual size first, then smaller ones.
+const SHAPES: [Shape; 5] = [
     (1.0, 1.0, usize::MAX),
     (0.6, 1.0, usize::MAX),
     (0.4, 1.0, usize::MAX),
     (1.0, 0.75, usize::MAX),
     (1.0, 0.55, usize::MAX),
 ];
+const USUAL: usize = 3;
 /// The same where there is no room for all of it, and it ends in an ellipsis.
-const CUT: [(f32, f32, usize); 2] = [(1.0, 0.75, 2), (1.0, 0.75, 1)];
+const CUT: [Shape; 2] = [(1.0, 0.75, 2), (1.0, 0.75, 1)];
 
 /// Texts with their places, to be painted in a box.
 pub(super) struct Board {
@@ -63,6 +66,14 @@ impl Board {
     pub(super) fn text(&self, text: &str, size: f32, colour: Color32, width: f32) -> Arc<Galley> {
         let font = FontId::proportional(size);
         self.painter.layout(text.to_owned(), font, colour, width)
+    }
+
+    /// Lays a text out in one line of at most `width` points. A longer one ends in an ellipsis.
+    pub(super) fn line(&self, text: &str, size: f32, colour: Color32, width: f32) -> Arc<Galley> {
+        let font = FontId::proportional(size);
+        let mut job = LayoutJob::simple_singleline(text.to_owned(), font, colour);
+        job.wrap = TextWrapping::truncate_at_width(width);
+        self.painter.layout_job(job)
     }
 
     /// Width of a text in one line, in points.
@@ -109,29 +120,58 @@ impl Board {
             return None;
         }
         let place = layout.place(self.name, self.size(), wish)?;
+        self.paint_at(place);
+        Some(place)
+    }
+
+    /// Paints the board into a box that is its own already.
+    pub(super) fn paint_at(self, place: Rect) {
         self.painter.rect_filled(place, CORNER_RADIUS, BOX);
         for (offset, text) in self.texts {
             self.painter
                 .galley(place.min + PADDING + offset, text, BRIGHT);
         }
-        Some(place)
     }
 
-    /// Paints a board with one text of at most `width` points, in the first shape that has room.
+    /// Paints a board with one text of at most `width` points, in the first shape that has room. A text
+    /// covers the hole, if it may, rather than being cut.
     pub(super) fn paint_text(
+        self,
+        layout: &mut Layout,
+        wish: Wish,
+        text: (&str, f32, Color32),
+        width: f32,
+    ) -> Option<Rect> {
+        self.paint_in_shape(layout, wish, text, width, &[&SHAPES[..], &CUT[..]])
+    }
+
+    /// The same for a caption, which covers the hole, if it may, rather than having smaller letters.
+    pub(super) fn paint_caption(
+        self,
+        layout: &mut Layout,
+        wish: Wish,
+        text: (&str, f32, Color32),
+        width: f32,
+    ) -> Option<Rect> {
+        let (usual, smaller) = SHAPES.split_at(USUAL);
+        self.paint_in_shape(layout, wish, text, width, &[usual, smaller, &CUT[..]])
+    }
+
+    /// Tries the shapes of each group, first beside the hole and then over it.
+    fn paint_in_shape(
         mut self,
         layout: &mut Layout,
         wish: Wish,
         (text, size, colour): (&str, f32, Color32),
         width: f32,
+        groups: &[&[Shape]],
     ) -> Option<Rect> {
         let width = width.min(layout.bounds().width() - 2.0 * PADDING.x);
         let beside = Wish {
             covers_hole: false,
             ..wish
         };
-        // A text covers the hole, if it may, rather than being cut.
-        let tries = [&SHAPES[..], &CUT].into_iter().flat_map(|shapes| {
+        let tries = groups.iter().copied().flat_map(|shapes| {
             [beside, wish].map(|wish| shapes.iter().map(move |shape| (wish, *shape)))
         });
         for (wish, (share, smaller, rows)) in tries.flatten() {

@@ -59,7 +59,7 @@ fn show_words(
         (CAPTION, layout.above_read_outs(TOAST))
     };
     let text = bindings.with_keys(words.text);
-    board.paint_text(layout, wish, (&text, size, BRIGHT), MAX_WIDTH);
+    board.paint_caption(layout, wish, (&text, size, BRIGHT), MAX_WIDTH);
 }
 
 /// Shows a bar along the lower edge of the window: the share of the journey that has been flown.

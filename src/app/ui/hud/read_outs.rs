@@ -28,6 +28,9 @@ use lightfall_render::DrawnScene;
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];
 
+/// Largest height, as a share of the free part of the window: cards and messages have the rest.
+const MAX_HEIGHT: f32 = 1.0 / 3.0;
+
 /// Label of the factor of the flying speed.
 const SPEED: &str = "flying speed";
 
@@ -190,7 +193,10 @@ pub(super) fn show_read_outs(
     let parts: [(&[_], &[_]); 3] = [(&lines, &modes), (&[], &modes), (&lines[..1], &[])];
     let slides = [Slide::Nowhere, Slide::Anywhere].map(|slide| parts.map(|part| (slide, part)));
     for (slide, part) in slides.into_iter().flatten() {
-        let wish = layout.at(Align2::LEFT_BOTTOM, slide);
+        let wish = Wish {
+            at: layout.above_touch_bar().left_bottom(),
+            ..layout.at(Align2::LEFT_BOTTOM, slide)
+        };
         if paint_lines(context, layout, strength, wish, part) {
             break;
         }
@@ -210,6 +216,9 @@ fn paint_lines(
     put_columns(&mut board, lines, width - 2.0 * GAP[0]);
     for line in modes {
         board.add_line(board.text(line, TEXT, BRIGHT, width - 2.0 * GAP[0]), GAP[1]);
+    }
+    if board.size().y > MAX_HEIGHT * layout.bounds().height() {
+        return false;
     }
     board.paint(layout, wish).is_some()
 }

@@ -11,7 +11,7 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::result_file::time_now;
 use crate::app::state::toast::Toast;
 use crate::app::ui::layout::{Layout, Slide, Wish};
-use crate::app::ui::screen::{Screen, text_box};
+use crate::app::ui::screen::{MARGIN, Screen, show_scrolled, text_box};
 use bevy::prelude::*;
 use bevy_egui::egui::{self, Align2, Color32, RichText, vec2};
 use lightfall_core::scene::{JudgedAnswer, Question};
@@ -21,10 +21,12 @@ use lightfall_platform::storage::lesson_results_file;
 const NAME: &str = "stop";
 /// Largest width of the card, in points.
 const MAX_WIDTH: f32 = 780.0;
-/// Sizes of the caption, in points, the usual one first, and the largest share of the window's height
-/// that the card may take before the next one is tried.
-const SIZES: [f32; 4] = [19.0, 16.0, 13.5, 11.5];
-const MAX_SHARE: f32 = 0.36;
+/// Size of the caption, in points. It follows the text size of the settings alone, in every window.
+const SIZE: f32 = 19.0;
+/// The largest share of the free height that the card takes, and the least height of its caption, for which
+/// it takes more: three lines. What is longer scrolls.
+const MAX_SHARE: f32 = 0.5;
+const MIN_CAPTION: f32 = 3.0 * 1.35 * SIZE;
 /// Size of the other words against the caption's.
 const SMALL: f32 = 0.75;
 /// Room for the toast below the card, in points.
@@ -38,8 +40,8 @@ pub(super) struct Answer {
     typed: String,
     is_right: bool,
     said: String,
-    /// Which of the sizes the card has.
-    size: usize,
+    /// Height of the card without its caption as shown last, in points.
+    rest: f32,
 }
 
 pub(super) fn show_stop(
@@ -76,45 +78,50 @@ pub(super) fn show_stop(
     };
     let back = (number > 1).then(|| key("preset.previous", "preset.previous"));
     let keys = [key("fly.up", "journey.fly"), back.unwrap_or_default()];
+    // Panels may leave no room at all: then the card lies over them.
+    let room = match layout.bounds().is_positive() {
+        true => layout.room_for(MAX_WIDTH.min(layout.bounds().width())),
+        false => context.content_rect().shrink(MARGIN),
+    };
+    let width = MAX_WIDTH.min(room.width());
+    let usual = MAX_SHARE * room.height();
+    let most = usual.max(answer.rest + MIN_CAPTION).min(room.height());
     let shown = context.memory(|memory| memory.area_rect(NAME));
-    let size = shown.map_or(
-        vec2(MAX_WIDTH.min(layout.bounds().width()), 120.0),
-        |shown| shown.size(),
-    );
-    // A card that is too high for the window is written smaller.
-    let most = MAX_SHARE * context.content_rect().height();
-    if size.y > most && shown.is_some() && answer.size + 1 < SIZES.len() {
-        answer.size += 1;
-        context.request_repaint();
-    }
-    let place = place_of(layout, size);
-    // One that hides the hole is smaller, but not as small as one that is too high.
-    if layout.covers_hole(place) && shown.is_some() && answer.size == 0 {
-        answer.size = 1;
-        context.request_repaint();
-    }
+    let size = shown.map_or(vec2(width, 120.0), |shown| shown.size());
+    let place = place_of(layout, size.min(vec2(room.width(), most)), room);
     layout.take(NAME, place);
-    let (mut command, mut judged) = (None, None);
-    egui::Area::new(NAME.into())
+    let (mut command, mut judged, mut caption_height) = (None, None, 0.0);
+    let drawn = egui::Area::new(NAME.into())
         .fixed_pos(place.min)
         .constrain(false)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
-            ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
+            ui.set_max_width(width);
             text_box(12.0, 8.0).show(ui, |ui| {
-                let size = SIZES[answer.size];
-                ui.spacing_mut().item_spacing.y = 0.35 * size;
+                ui.spacing_mut().item_spacing.y = 0.35 * SIZE;
                 if !stop.caption.is_empty() {
-                    ui.label(words(&bindings.with_keys(&stop.caption), size, BRIGHT));
+                    let caption = bindings.with_keys(&stop.caption);
+                    // Each stop begins at its first line.
+                    ui.push_id(number, |ui| {
+                        caption_height = show_scrolled(ui, most - answer.rest, |ui| {
+                            ui.label(words(&caption, SIZE, BRIGHT));
+                        });
+                    });
                 }
                 if let Some(question) = &stop.question {
-                    let asked = ask(ui, question, (&mut *answer, &*bindings), size);
+                    let asked = ask(ui, question, (&mut *answer, &*bindings));
                     command = asked.goes_on.then_some(AppCommand::GoOn);
                     judged = asked.judged;
                 }
-                command = command.or(show_ways(ui, (keys, &head), SMALL * size));
+                command = command.or(show_ways(ui, (keys, &head)));
             });
         });
+    // Next frame the caption makes room for the rest.
+    let rest = drawn.response.rect.height() - caption_height;
+    if (answer.rest - rest).abs() > 0.5 {
+        answer.rest = rest;
+        context.request_repaint();
+    }
     if let Some(command) = command {
         commands.send(command);
     }
@@ -150,7 +157,7 @@ fn keep(
 
 /// The place of a card of this size: above the toast and beside the hole, and otherwise as low over the hole
 /// as the read-outs allow.
-fn place_of(layout: &Layout, size: egui::Vec2) -> egui::Rect {
+fn place_of(layout: &Layout, size: egui::Vec2, room: egui::Rect) -> egui::Rect {
     let beside_hole = Wish {
         covers_hole: false,
         ..layout.above_read_outs(TOAST)
@@ -160,7 +167,7 @@ fn place_of(layout: &Layout, size: egui::Vec2) -> egui::Rect {
     [beside_hole, over_hole, lowest.even_over_hole()]
         .into_iter()
         .find_map(|wish| layout.wished(size, wish))
-        .unwrap_or_else(|| Align2::CENTER_BOTTOM.align_size_within_rect(size, layout.bounds()))
+        .unwrap_or_else(|| Align2::CENTER_BOTTOM.align_size_within_rect(size, room))
 }
 
 fn words(text: &str, size: f32, colour: Color32) -> RichText {
@@ -180,17 +187,16 @@ fn ask(
     ui: &mut egui::Ui,
     question: &Question,
     (answer, bindings): (&mut Answer, &Bindings),
-    size: f32,
 ) -> Asked {
     let text = bindings.with_keys(&question.text);
-    ui.label(words(&text, 0.9 * size, BRIGHT));
+    ui.label(words(&text, 0.9 * SIZE, BRIGHT));
     let line = ui.horizontal(|ui| {
         let Answer {
             typed, is_right, ..
         } = answer;
-        let used = show_answer_field(ui, question, typed, *is_right, 0.9 * size);
+        let used = show_answer_field(ui, question, typed, *is_right, 0.9 * SIZE);
         let said = bindings.with_keys(&answer.said);
-        ui.label(words(&said, 0.9 * size, WARNING));
+        ui.label(words(&said, 0.9 * SIZE, WARNING));
         used
     });
     let (step, field) = line.inner;
@@ -217,11 +223,8 @@ fn ask(
 
 /// Shows the buttons that go on and back, with their keys, and the title behind them. Returns what was
 /// clicked.
-fn show_ways(
-    ui: &mut egui::Ui,
-    (keys, title): ([String; 2], &str),
-    size: f32,
-) -> Option<AppCommand> {
+fn show_ways(ui: &mut egui::Ui, (keys, title): ([String; 2], &str)) -> Option<AppCommand> {
+    let size = SMALL * SIZE;
     let [on, back] = keys;
     let ways = [
         ("Go on", on, AppCommand::GoOn),

@@ -19,9 +19,13 @@ pub(super) fn show_toast(
     shot: Res<WindowShot>,
 ) {
     let is_shown = !toast.text().is_empty() && !shot.holds_still();
-    let Some((context, layout)) = screen.messages().filter(|_| is_shown) else {
+    let Some((context, layout)) = screen.messages() else {
         return;
     };
+    layout.release();
+    if !is_shown {
+        return;
+    }
     let strength = presence.opacity(toast.since(), toast.left());
     let board = Board::new(context, "toast", strength);
     let wish = layout.above_read_outs(0.0);

@@ -4,53 +4,30 @@ use super::map_view::{Chart, draw_map, key_lines, map_height, outside_horizon};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::overlays::{Overlays, PathShown};
 use crate::app::state::preferences::Preferences;
+use crate::app::state::toast::Toast;
 use crate::app::ui::layout::{GAP, Layout, Slide, Wish};
 use crate::app::ui::screen::{BOX, Screen};
 use bevy::prelude::*;
-use bevy_egui::egui::{self, Align2, LayerId, Order, Rect, vec2};
+use bevy_egui::egui::{self, Align2, LayerId, Order, Rect, Vec2, vec2};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::optics::ship::{Attempt, path_ahead};
 use std::time::Duration;
 
-/// Widths in which the map is tried, in points, and those beside the card at the end.
+/// Widths in which the map is tried, in points.
 const WIDTHS: [f32; 2] = [230.0, 150.0];
-const WIDTHS_AT_END: [f32; 3] = [300.0, 230.0, 150.0];
 /// Room inside the box, in points.
 const PADDING: f32 = 8.0;
 /// How long a path is drawn before it is computed again, which takes half a millisecond.
 const PATH_AGE: Duration = Duration::from_millis(100);
 /// Number of points of the path: two turns.
 const PATH_POINTS: usize = 256;
+/// What is said where the map is chosen and has no place.
+const NO_ROOM: &str =
+    "The map has no room in this window: a larger window, or smaller texts, make room for it";
 
-/// The least free part of the window in which the map has its place before captions and messages, in points:
-/// there it keeps its size and its place whatever they say. Elsewhere they have the room that there is.
-const ROOMY: egui::Vec2 = vec2(740.0, 540.0);
-
-/// Takes the map's place before captions and messages get theirs.
-pub(in crate::app::ui::hud) fn reserve_map(
-    mut screen: Screen,
-    ship: Res<ShipFlight>,
-    overlays: Res<Overlays>,
-) {
-    let Some(voyage) = ship.voyage() else {
-        return;
-    };
-    let Some((context, layout)) = screen.texts() else {
-        return;
-    };
-    let room = layout.bounds().size();
-    let is_roomy = room.x >= ROOMY.x && room.y >= ROOMY.y;
-    let has_card = layout.place_of("end card").is_some();
-    if is_roomy && !has_card && overlays.path == PathShown::MapAndLine {
-        let wish = layout.at(Align2::RIGHT_TOP, Slide::Upright);
-        let painter = map_painter(context);
-        place((&painter, layout), &WIDTHS, wish, voyage.flight.ship.kerr());
-    }
-}
-
-fn map_painter(context: &egui::Context) -> egui::Painter {
+pub(super) fn map_painter(context: &egui::Context) -> egui::Painter {
     context.layer_painter(LayerId::new(Order::Background, "map".into()))
 }
 
@@ -59,8 +36,9 @@ pub(in crate::app::ui::hud) fn show_map(
     ship: Res<ShipFlight>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
-    time: Res<Time<Real>>,
+    (time, mut toast): (Res<Time<Real>>, ResMut<Toast>),
     mut known: Local<Option<(Duration, Vec<DVec3>)>>,
+    mut before: Local<PathShown>,
 ) {
     let Some(voyage) = ship.voyage() else {
         return;
@@ -68,15 +46,20 @@ pub(in crate::app::ui::hud) fn show_map(
     let Some((context, layout)) = screen.texts() else {
         return;
     };
+    let is_chosen = overlays.path == PathShown::MapAndLine && *before != overlays.path;
+    *before = overlays.path;
+    if is_chosen && layout.place_of("map").is_none() {
+        toast.say(NO_ROOM);
+    }
     let at_end = ship.attempt().and_then(|attempt| end_of(attempt, layout));
     let painter = map_painter(context);
     let kerr = voyage.flight.ship.kerr();
     let placed = match &at_end {
-        Some((_, card)) => place((&painter, layout), &WIDTHS_AT_END, beside(*card), kerr),
-        None if overlays.path == PathShown::MapAndLine => layout.place_of("map").or_else(|| {
-            let wish = layout.at(Align2::RIGHT_TOP, Slide::Upright);
-            place((&painter, layout), &WIDTHS, wish, kerr)
-        }),
+        // In a window that has no place for the map, the path that was flown has what is left.
+        Some((_, card)) => layout
+            .place_of("map")
+            .or_else(|| place((&painter, layout), beside(*card), kerr)),
+        None if overlays.path == PathShown::MapAndLine => layout.place_of("map"),
         None => None,
     };
     let Some(place) = placed else {
@@ -129,16 +112,19 @@ fn beside(card: Rect) -> Wish {
     }
 }
 
+/// The sizes in which the map is tried, the largest first.
+pub(super) fn map_sizes(painter: &egui::Painter, kerr: Kerr) -> Vec<Vec2> {
+    let size = |width: f32| {
+        let lines = key_lines(painter, kerr, width).len();
+        vec2(width, map_height(width, lines)) + 2.0 * vec2(PADDING, PADDING)
+    };
+    WIDTHS.into_iter().map(size).collect()
+}
+
 /// The place of the largest map for which there is room.
-fn place(
-    (painter, layout): (&egui::Painter, &mut Layout),
-    widths: &[f32],
-    wish: Wish,
-    kerr: Kerr,
-) -> Option<Rect> {
-    widths.iter().find_map(|width| {
-        let lines = key_lines(painter, kerr, *width).len();
-        let size = vec2(*width, map_height(*width, lines)) + 2.0 * vec2(PADDING, PADDING);
-        layout.place("map", size, wish)
-    })
+fn place((painter, layout): (&egui::Painter, &mut Layout), wish: Wish, kerr: Kerr) -> Option<Rect> {
+    let sizes = map_sizes(painter, kerr);
+    sizes
+        .into_iter()
+        .find_map(|size| layout.place("map", size, wish))
 }

@@ -1,24 +1,24 @@
 //! Shows a mission under way: its goals in the upper left corner, and its captions at the top.
 
+use super::places::PlacesNow;
 use super::quantities::{Wanted, wanted};
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::ship::{MissionPlay, ShipFlight};
 use crate::app::state::end_card::EndCard;
 use crate::app::state::preferences::Preferences;
-use crate::app::ui::hud::board::{BRIGHT, Board, QUIET, TEXT, WARNING};
-use crate::app::ui::layout::{Layout, Slide};
+use crate::app::ui::hud::board::{BRIGHT, Board, PADDING, QUIET, TEXT, WARNING};
+use crate::app::ui::layout::Slide;
 use crate::app::ui::screen::Screen;
 use bevy::prelude::*;
-use bevy_egui::egui::{self, Align2, Color32};
+use bevy_egui::egui::{self, Align2, Color32, Rect};
 use lightfall_core::numbers::{four_digits, steady_digits};
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::Attempt;
 
 /// Size of captions, in points.
 const CAPTION: f32 = 18.0;
-/// Largest width of captions and of goals, in points.
+/// Largest width of captions, in points.
 const MAX_CAPTION: f32 = 460.0;
-const MAX_GOALS: f32 = 430.0;
 /// What a pilot without fuel is told, with the names of controls in braces.
 const NO_FUEL: &str = "The tank is empty: nothing pushes you any more. You can turn, and let time run. {scene.undo} goes back to the last goal, {journey.again} flies the mission again.";
 /// Colour of a quantity that is what the goal wants.
@@ -30,8 +30,9 @@ pub(in crate::app::ui::hud) fn show_mission(
     play: Res<MissionPlay>,
     end_card: Res<EndCard>,
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
+    places: Res<PlacesNow>,
 ) {
-    let Some(attempt) = ship.attempt() else {
+    let (Some(attempt), Some(places)) = (ship.attempt(), places.0) else {
         return;
     };
     let Some((context, layout)) = screen.texts() else {
@@ -39,11 +40,25 @@ pub(in crate::app::ui::hud) fn show_mission(
     };
     let units = ship.units(&preferences.settings);
     let rows = wanted(attempt, units);
-    // Without their values the goals take less room.
-    for rows in [&rows[..], &[]] {
-        if show_goals((context, layout), attempt, rows, (units, &*bindings)) {
-            break;
-        }
+    // Without their values the goals take less room, and the next one takes less than all.
+    let (with_values, without): (&[Wanted], &[Wanted]) = (&rows, &[]);
+    let tries = [
+        (false, with_values),
+        (false, without),
+        (true, with_values),
+        (true, without),
+    ];
+    let words = (units, &*bindings);
+    let boards = tries
+        .map(|(next_only, rows)| goals(context, (attempt, next_only), rows, (words, places.goals)));
+    let has_room = |board: &Board| {
+        let size = board.size();
+        size.x <= places.goals.width() && size.y <= places.goals.height()
+    };
+    if let Some(board) = boards.into_iter().find(has_room) {
+        // Over the hole rather than elsewhere.
+        let corner = layout.at(Align2::LEFT_TOP, Slide::Nowhere);
+        board.paint(layout, corner.even_over_hole());
     }
     let captions = &attempt.mission.captions;
     let caption = play.caption().and_then(|index| captions.get(index));
@@ -63,21 +78,26 @@ pub(in crate::app::ui::hud) fn show_mission(
     }
 }
 
-/// Shows the goals and, below the next one, its quantities. Returns whether there is room.
-fn show_goals(
-    (context, layout): (&egui::Context, &mut Layout),
-    attempt: &Attempt,
+/// The goals or the next one only and, below the next one, its quantities.
+fn goals(
+    context: &egui::Context,
+    (attempt, next_only): (&Attempt, bool),
     rows: &[Wanted],
-    (units, bindings): (Units, &Bindings),
-) -> bool {
+    ((units, bindings), place): ((Units, &Bindings), Rect),
+) -> Board {
     let mission = &attempt.mission;
     let mut board = Board::new(context, "mission", 1.0);
-    let width = MAX_GOALS.min(layout.bounds().width());
-    let title = bindings.with_keys(&mission.title);
-    board.add_line(board.text(&title, TEXT, WARNING, width), 0.0);
+    let width = (place.width() - 2.0 * PADDING.x).max(1.0);
+    if !next_only {
+        let title = bindings.with_keys(&mission.title);
+        board.add_line(board.text(&title, TEXT, WARNING, width), 0.0);
+    }
     let reached = attempt.reached().len();
     for (index, goal) in mission.goals.iter().enumerate() {
         let is_next = index == reached && !attempt.is_over();
+        if next_only && !is_next {
+            continue;
+        }
         let sign = if index < reached { "●" } else { "○" };
         let colour = if is_next { BRIGHT } else { QUIET };
         let text = bindings.with_keys(&units.in_text(&goal.text));
@@ -100,6 +120,5 @@ fn show_goals(
             board.add_line(board.text(&words, TEXT, BRIGHT, width), 2.0);
         }
     }
-    let wish = layout.at(Align2::LEFT_TOP, Slide::Upright);
-    board.paint(layout, wish).is_some()
+    board
 }

@@ -8,7 +8,7 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::app::ui::hud::question_field::{Step, show_answer_field};
 use crate::app::ui::layout::Slide;
-use crate::app::ui::screen::{Screen, text_box};
+use crate::app::ui::screen::{Screen, show_scrolled, text_box};
 use bevy::prelude::*;
 use bevy_egui::egui;
 
@@ -16,6 +16,8 @@ use bevy_egui::egui;
 const NAME: &str = "question";
 /// Largest width of the card, in points.
 const MAX_WIDTH: f32 = 330.0;
+/// Room inside its edges, in points.
+const EDGE: f32 = 14.0;
 /// The size of the card before its first frame, in points.
 const FIRST_SIZE: egui::Vec2 = egui::vec2(MAX_WIDTH, 120.0);
 
@@ -36,14 +38,17 @@ pub(in crate::app::ui::hud) fn show_question(
     let Some((context, layout)) = screen.texts().filter(|_| !end_card.is_open()) else {
         return;
     };
+    if !layout.bounds().is_positive() {
+        return;
+    }
+    let room = layout.room_for(MAX_WIDTH.min(layout.bounds().width()));
     let shown = context.memory(|memory| memory.area_rect(NAME));
     let size = shown.map_or(FIRST_SIZE, |shown| shown.size());
+    let size = size.min(room.size());
     let wish = layout.at(egui::Align2::RIGHT_CENTER, Slide::Anywhere);
     let place = layout
         .wished(size, wish.even_over_hole())
-        .unwrap_or_else(|| {
-            egui::Align2::RIGHT_CENTER.align_size_within_rect(size, layout.bounds())
-        });
+        .unwrap_or_else(|| egui::Align2::RIGHT_CENTER.align_size_within_rect(size, room));
     layout.take(NAME, place);
     let units = ship.units(&preferences.settings);
     let (mut used, mut closes) = (None, false);
@@ -51,22 +56,25 @@ pub(in crate::app::ui::hud) fn show_question(
         .fixed_pos(place.min)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
-            ui.set_max_width(MAX_WIDTH.min(layout.bounds().width()));
-            text_box(14.0, 8.0).show(ui, |ui| {
-                let text = bindings.with_keys(&units.in_text(&question.text));
-                ui.label(egui::RichText::new(text).size(15.0));
-                ui.add_space(6.0);
-                ui.horizontal(|ui| {
-                    let AskedQuestion {
-                        typed, is_right, ..
-                    } = &mut *asked;
-                    used = Some(show_answer_field(ui, &question, typed, *is_right, 15.0));
-                    closes = ui.button("Close").clicked();
+            ui.set_max_width(MAX_WIDTH.min(room.width()));
+            text_box(EDGE, 8.0).show(ui, |ui| {
+                // In a low window the card scrolls.
+                show_scrolled(ui, room.height() - 2.0 * EDGE, |ui| {
+                    let text = bindings.with_keys(&units.in_text(&question.text));
+                    ui.label(egui::RichText::new(text).size(15.0));
+                    ui.add_space(6.0);
+                    ui.horizontal_wrapped(|ui| {
+                        let AskedQuestion {
+                            typed, is_right, ..
+                        } = &mut *asked;
+                        used = Some(show_answer_field(ui, &question, typed, *is_right, 15.0));
+                        closes = ui.button("Close").clicked();
+                    });
+                    if !asked.said.is_empty() {
+                        let said = bindings.with_keys(&asked.said);
+                        ui.label(egui::RichText::new(said).size(15.0));
+                    }
                 });
-                if !asked.said.is_empty() {
-                    let said = bindings.with_keys(&asked.said);
-                    ui.label(egui::RichText::new(said).size(15.0));
-                }
             });
         });
     let Some((step, field)) = used else {

@@ -1,8 +1,9 @@
 //! The values of the ship's instruments, in words.
 
-use super::quantities::{named, plunges, present, said_by};
+use super::needed::{add_named, note_needed};
+use super::quantities::plunges;
 use crate::app::motion::ship::{
-    LITTLE_FUEL, ShipFlight, acceleration, fuel, heading_words, multiple, quantity_name, tide,
+    LITTLE_FUEL, ShipFlight, acceleration, fuel, heading_words, multiple, tide,
 };
 use lightfall_core::geometry::ship::Ship;
 use lightfall_core::numbers::{four_digits, percent, ratio, three_digits};
@@ -10,10 +11,9 @@ use lightfall_core::optics::readout::held_acceleration;
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::optics::ship::{
-    Apsides, Attempt, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
+    Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
 };
 use lightfall_core::scene::ObserverKind;
-use lightfall_core::scene::mission::Quantity;
 
 /// An instrument: what it shows, and the value.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Instrument {
 }
 
 impl Instrument {
-    fn new(label: &'static str, value: String) -> Self {
+    pub(super) fn new(label: &'static str, value: String) -> Self {
         Self {
             label,
             value,
@@ -84,86 +84,9 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
 /// The label of the pace.
 pub(super) const TIME: &str = "time";
 /// The label of the fuel.
-const FUEL: &str = "fuel";
-
-/// Instruments that show a quantity of a mission, by their labels. The clocks are dials.
-fn shown_by(quantity: Quantity) -> Option<&'static str> {
-    Some(match quantity {
-        Quantity::R | Quantity::Speed => "radius, speed",
-        Quantity::RapidityUsed => FUEL,
-        Quantity::Thrust | Quantity::GLoad => "thrust",
-        Quantity::Periapsis => "lowest point",
-        Quantity::Apoapsis => "highest point",
-        Quantity::Tide => "tide",
-        Quantity::Tau | Quantity::T | Quantity::Rate => "",
-        _ => return None,
-    })
-}
-
-/// Adds the quantities that the mission names and that no other instrument shows.
-fn add_named(all: &mut Vec<Instrument>, attempt: &Attempt, units: Units) {
-    let others = named(&attempt.mission)
-        .into_iter()
-        .filter(|quantity| shown_by(*quantity).is_none());
-    let rows = others.map(|quantity| Instrument {
-        is_needed: true,
-        ..Instrument::new(quantity_name(quantity), present(attempt, quantity, units))
-    });
-    // Before those that a narrow window leaves out.
-    let end = all.iter().position(|row| row.is_minor);
-    let end = end.unwrap_or(all.len());
-    drop(all.splice(end..end, rows));
-}
-
-/// By which words a text for players names an instrument.
-const NAMED_BY: [(&str, &[&str]); 9] = [
-    (FUEL, &["rapidity", "fuel", "tank"]),
-    ("thrust", &["thrust", "engine"]),
-    ("lowest point", &["lowest point"]),
-    ("highest point", &["highest point"]),
-    ("life left", &["life left"]),
-    ("nose", &["nose"]),
-    ("held", &["hold"]),
-    ("to stand still", &["stand still"]),
-    ("tide", &["tide"]),
-];
-
-/// What a ship without a mission needs: the pace, where it is, its fuel, and its path.
-const NEEDED: [&str; 7] = [
-    TIME,
-    "radius, speed",
-    FUEL,
-    "thrust",
-    "lowest point",
-    "highest point",
-    "life left",
-];
-
-/// Notes which instruments the smallest window shows: those that the mission names in a condition or in a
-/// text, the radius, and the pace.
-fn note_needed(all: &mut [Instrument], attempt: Option<&Attempt>) {
-    let Some(attempt) = attempt else {
-        for row in all {
-            row.is_needed = NEEDED.contains(&row.label);
-        }
-        return;
-    };
-    let mission = &attempt.mission;
-    let compared = named(mission).into_iter().filter_map(shown_by);
-    let mut labels: Vec<&str> = compared.chain(["radius, speed", TIME]).collect();
-    let texts: Vec<String> = said_by(mission).map(str::to_lowercase).collect();
-    let said = NAMED_BY
-        .into_iter()
-        .filter(|(_, words)| {
-            let is_in = |text: &String| words.iter().any(|word| text.contains(word));
-            texts.iter().any(is_in)
-        })
-        .map(|(label, _)| label);
-    labels.extend(said);
-    for row in all {
-        row.is_needed |= labels.contains(&row.label);
-    }
-}
+pub(super) const FUEL: &str = "fuel";
+/// The label of what stands in place of both turning points inside the horizon.
+pub(super) const LIFE: &str = "life left";
 
 /// The radius, and the speed relative to the observer with zero angular momentum.
 fn motion(ship: &Ship, units: Units) -> Instrument {
@@ -226,7 +149,7 @@ fn path(ship: &Ship, units: Units) -> Vec<Instrument> {
     if place.r <= place.kerr.horizon() {
         let left = longest_life(place.kerr, place.r, place.n.z);
         let left = format!("at most {}", steady(left));
-        return vec![Instrument::new("life left", left)];
+        return vec![Instrument::new(LIFE, left)];
     }
     let apsides = Apsides::of(ship);
     let next = time_to_apsis(ship);
