@@ -86,6 +86,21 @@ pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
     }
 }
 
+/// As [`journey`], with so many frames a second in a camera path that counts frames.
+///
+/// # Errors
+/// As those of [`journey`].
+pub(super) fn journey_at_rate(
+    file: Option<&Path>,
+    fps: f64,
+    scene: &Scene,
+) -> Result<Journey, Stop> {
+    match file {
+        Some(file) => journey_in(file, storage::journey_at_rate(file, fps)?, scene),
+        None => journey(None, scene),
+    }
+}
+
 /// A journey that was read, for `scene`. `file` is its file or its name.
 ///
 /// # Errors

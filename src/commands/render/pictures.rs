@@ -1,7 +1,7 @@
 //! The pictures that a command line asks for: one, or the frames of a sequence.
 
 use crate::commands::cli::RenderArgs;
-use crate::commands::scene::{NO_JOURNEY, drawable, journey};
+use crate::commands::scene::{NO_JOURNEY, drawable, journey_at_rate};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub(super) fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
     let journey = match args.journey.as_deref() {
         Some(file) if file == Path::new(NO_JOURNEY) => None,
-        file => Some(journey(file, scene)?),
+        file => Some(journey_at_rate(file, args.fps, scene)?),
     };
     if let (Some(preset), Some(file), None) = (
         journey.as_ref().and_then(|journey| journey.preset),

@@ -150,9 +150,10 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             format!("{two}time = 1\nradius = 3"),
-            "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
-             pitch_deg, roll_deg, fov_deg, observer, velocity, disk_tilt_deg, disk_node_deg, disk_rate, disk_time, and a \
-             table rain of those but the observer and the disk's own, for an observer that falls from rest at infinity",
+            "j.toml: keyframe 2: there is no radius; a keyframe has time, ease, a table set of other fields of the scene, \
+             any of r, theta_deg, phi_deg, yaw_deg, pitch_deg, roll_deg, fov_deg, observer, velocity, disk_tilt_deg, \
+             disk_node_deg, disk_rate, disk_time, and a table rain of those but the observer and the disk's own, for an \
+             observer that falls from rest at infinity",
         ),
         (
             format!("{two}time = 1\nrain.theta_deg = 200"),

@@ -4,22 +4,32 @@
 //! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
 //! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
 //! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that
-//! no keyframe names keeps its value in the scene.
+//! no keyframe names keeps its value in the scene. A keyframe's `ease` gives what follows another course,
+//! and its table `set` leads any other field.
+//!
+//! A camera path, a table of rows in CSV, is a journey, too.
 
+mod camera_rows;
 mod caption;
 mod check;
 mod clock;
 mod draft;
+mod ease;
 mod error;
+mod field_tracks;
 mod format;
 mod idle;
 mod keyframe;
 mod lessons;
 mod load;
+mod read_path;
 mod read_question;
 mod read_stop;
+mod row;
 mod save;
+mod set;
 mod stop;
+mod subtitles;
 mod switches;
 mod track;
 mod tracks;
@@ -27,14 +37,19 @@ mod tracks;
 pub use caption::Caption;
 pub use check::Unflyable;
 pub use draft::{Draft, Shown};
+pub use ease::Ease;
 pub use error::JourneyError;
 pub use lessons::{FLIGHTS, LESSONS, built_in, is_journey};
 pub use load::load;
+pub use read_path::{CameraPathError, load_camera_path};
 pub use stop::{InspectorView, SideBySide, Stop};
+pub use subtitles::{SubtitleFormat, Subtitles};
 pub use switches::Switches;
 pub use track::Track;
 
+use self::camera_rows::CameraRows;
 use self::clock::Clock;
+use self::field_tracks::FieldTracks;
 use self::keyframe::Keyframe;
 use self::tracks::Tracks;
 use super::presets::{DEFAULT as DEFAULT_PRESET, PRESETS, Preset};
@@ -66,6 +81,10 @@ pub struct Journey {
     tracks: Tracks,
     /// The tracks for an observer that falls from rest at infinity.
     tracks_in_rain: Tracks,
+    /// The fields that the tables `set` of keyframes lead.
+    fields: FieldTracks,
+    /// The rows of a camera path. None for a journey through keyframes.
+    path: Option<CameraRows>,
     /// The kinds of observer, each with the time from which it holds.
     kinds: Vec<(f64, ObserverKind)>,
     /// What the keyframes say about the disk's clock.
@@ -94,9 +113,18 @@ impl Journey {
         self.lead(time, scene);
     }
 
-    /// The time of each keyframe, in seconds as in the journey's text.
+    /// The time of each keyframe or row, in seconds as in the journey's text.
     fn times(&self) -> Vec<f64> {
-        self.keyframes.iter().map(|frame| frame.time).collect()
+        match &self.path {
+            Some(path) => path.times().collect(),
+            None => self.keyframes.iter().map(|frame| frame.time).collect(),
+        }
+    }
+
+    /// When the journey begins, in seconds as in its text.
+    fn start(&self) -> f64 {
+        let first = self.keyframes.first();
+        first.map_or(0.0, |frame| frame.time)
     }
 
     /// Everything that viewers read.
@@ -117,8 +145,8 @@ impl Journey {
         self.preset.unwrap_or(&PRESETS[DEFAULT_PRESET - 1])
     }
 
-    /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time`
-    /// seconds into `scene`. Times before the first keyframe count as the first, times after the
+    /// Writes the camera, the observer, the disk's tilt, the rate of its clock and the fields that
+    /// keyframes set after `time` seconds into `scene`. Times before the first keyframe count as the first, times after the
     /// last as the last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the
     /// disk's time.
     ///
@@ -129,6 +157,7 @@ impl Journey {
     /// equals Boyer-Lindquist's where the fall begins. Boyer-Lindquist's own azimuth would wind
     /// without end toward the horizon of a hole that spins.
     pub fn lead(&self, time: f64, scene: &mut Scene) {
+        self.fields.apply(time, scene);
         let last = self.kinds.iter().rev().find(|(from, _)| *from <= time);
         match last.or(self.kinds.first()) {
             Some((_, kind)) => scene.observer.kind = *kind,
@@ -147,7 +176,9 @@ impl Journey {
         if let Some(rate) = self.clock.rate_at(time) {
             scene.disk.rate = rate;
         }
-        if tracks.of("phi_deg").is_some() {
+        if let Some(path) = &self.path {
+            path.finish(&mut scene.camera);
+        } else if tracks.of("phi_deg").is_some() {
             let phi =
                 scene.camera.phi_deg - self.azimuth_lead(time, rain, scene.kerr()).to_degrees();
             scene.camera.phi_deg = wrap_degrees(phi);

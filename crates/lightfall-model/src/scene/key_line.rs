@@ -35,20 +35,25 @@ pub(super) fn line_of(text: &str, table: Option<(&str, usize)>, key: &str) -> Op
     }
 }
 
-/// Where a dotted key begins, or as much of it as the table has.
+/// Where a dotted key begins, or as much of it as the table has. A part of it may be one key, in quotes.
 fn start_of(table: &DeTable<'_>, key: &str) -> Option<usize> {
-    let (mut inside, mut at) = (table, None);
-    for name in key.split('.') {
+    let (mut inside, mut at, mut rest) = (table, None, key);
+    loop {
+        if let Some((key, _)) = inside.iter().find(|(key, _)| key.get_ref() == rest) {
+            return Some(key.span().start);
+        }
+        let Some((name, after)) = rest.split_once('.') else {
+            return at;
+        };
         let Some((key, value)) = inside.iter().find(|(key, _)| key.get_ref() == name) else {
-            break;
+            return at;
         };
         at = Some(key.span().start);
         let DeValue::Table(table) = value.get_ref() else {
-            break;
+            return at;
         };
-        inside = table;
+        (inside, rest) = (table, after);
     }
-    at
 }
 
 /// Whether a line is a head `[[name]]`.

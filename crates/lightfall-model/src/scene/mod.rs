@@ -9,6 +9,7 @@
 //! Enumerations declare their words with their variants, and their properties as rows of a table.
 
 mod camera;
+pub mod camera_path;
 mod changes;
 mod cube;
 mod disk_frame;

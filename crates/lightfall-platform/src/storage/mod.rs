@@ -36,5 +36,6 @@ pub use opened::{
 };
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{
-    SourceError, flyable_journey, journey_by_name, journey_of_file, read_journey, read_stars,
+    SourceError, flyable_journey, journey_at_rate, journey_by_name, journey_of_file, read_journey,
+    read_stars,
 };

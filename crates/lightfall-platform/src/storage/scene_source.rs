@@ -1,5 +1,5 @@
-//! Texts of presets, missions and journeys, from files and from pictures; journeys and catalogues of
-//! stars.
+//! Texts of presets, missions and journeys, from files and from pictures; journeys, camera paths and
+//! catalogues of stars.
 
 use super::embedded_preset::{embedded_preset, is_picture};
 use super::files::{TextError, exists, read, text_of};
@@ -8,7 +8,7 @@ use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::optics::ship::StartError;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
 use lightfall_core::scene::journey;
-use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
+use lightfall_core::scene::journey::{CameraPathError, Journey, JourneyError, Unflyable};
 use lightfall_core::scene::mission::MissionError;
 use lightfall_core::scene::{Scene, SceneError};
 use sha2::{Digest, Sha256};
@@ -17,6 +17,12 @@ use thiserror::Error;
 
 /// Maximum size of a preset file, in bytes.
 pub(super) const MAX_PRESET_BYTES: u64 = 1 << 20;
+
+/// Maximum size of a camera path, in bytes: more than the largest number of rows takes.
+const MAX_PATH_BYTES: u64 = 128 << 20;
+
+/// The frames per second of a camera path that counts frames, where nothing says it.
+const USUAL_FRAME_RATE: f64 = 30.0;
 
 /// Maximum size of a catalogue of stars, in bytes: more than the largest number of stars takes.
 const MAX_STAR_FILE_BYTES: u64 = 256 << 20;
@@ -31,6 +37,9 @@ pub enum SourceError {
     /// The journey is wrong.
     #[error(transparent)]
     Journey(#[from] JourneyError),
+    /// The camera path is wrong.
+    #[error(transparent)]
+    CameraPath(#[from] CameraPathError),
     /// The mission is wrong.
     #[error(transparent)]
     Mission(#[from] MissionError),
@@ -143,20 +152,44 @@ pub fn flyable_journey(
         })
 }
 
-/// The journey of a file, by its path or, for the built-in lessons and the user's own ones, by its name.
-/// It may not be possible in every scene.
+/// The journey of a file of keyframes or of a camera path, by its path or, for the built-in lessons and the
+/// user's own ones, by its name. It may not be possible in every scene.
 ///
 /// # Errors
 /// The file cannot be read or is wrong.
 pub fn journey_by_name(path: &Path) -> Result<Journey, SourceError> {
+    journey_at_rate(path, USUAL_FRAME_RATE)
+}
+
+/// As [`journey_by_name`], with so many frames a second in a camera path that counts frames.
+///
+/// # Errors
+/// As those of [`journey_by_name`].
+pub fn journey_at_rate(path: &Path, fps: f64) -> Result<Journey, SourceError> {
     let built_in = path.to_str().filter(|_| !exists(path));
     match built_in.and_then(journey::built_in) {
         Some(lesson) => Ok(lesson),
+        None if is_camera_path(path) => camera_path(path, fps),
         None => journey_of_file(&own_lesson(path).unwrap_or_else(|| path.into())),
     }
 }
 
-/// The journey of a file, which may not be possible in every scene.
+/// Whether a file is a table of cameras, which its name says.
+fn is_camera_path(path: &Path) -> bool {
+    let extension = path.extension();
+    extension.is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
+}
+
+/// The journey of a camera path in CSV.
+fn camera_path(path: &Path, fps: f64) -> Result<Journey, SourceError> {
+    let fault = |fault| no_text(path, fault, "");
+    let bytes = read(path, MAX_PATH_BYTES).map_err(|error| fault(error.into()))?;
+    let text = text_of(bytes, MAX_PATH_BYTES).map_err(fault)?;
+    let name = path.display().to_string();
+    Ok(journey::load_camera_path(&name, &text, fps)?)
+}
+
+/// The journey of a file of keyframes, which may not be possible in every scene.
 ///
 /// # Errors
 /// The file cannot be read or is wrong.

@@ -119,12 +119,15 @@ impl JourneyPlayer {
         self.show_at(stop.map_or(0.0, |stop| stop.time));
     }
 
-    /// The scene without what the stops have switched. None if they have switched nothing.
+    /// The scene without what the stops have switched and what keyframes have set. None if there is no such
+    /// field.
     pub fn unswitched(&mut self, mut scene: Scene) -> Option<Scene> {
         let base = self.switched.take()?;
         let none = Switches::default().fields;
         self.journey.switch(&none, &base, &mut scene);
-        (!self.journey.stops.is_empty()).then_some(scene)
+        self.journey.put_back(&base, &mut scene);
+        let changes = !self.journey.stops.is_empty() || self.journey.sets_fields();
+        changes.then_some(scene)
     }
 
     /// Notes where the hands have the camera while the journey waits at a stop.

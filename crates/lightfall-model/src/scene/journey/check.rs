@@ -9,6 +9,10 @@ use thiserror::Error;
 /// monotone, so a few moments find the places where the observer cannot exist.
 const MOMENTS: u32 = 32;
 
+/// Moments that are checked in all, unless there are more keyframes: the rows of a camera path may be close
+/// to each other, and many.
+const MAX_MOMENTS: u32 = 64_000;
+
 /// Digits of radii and times in a sentence: a radius is interpolated in its logarithm, which rounds
 /// its last digits.
 const DIGITS: i32 = 6;
@@ -17,7 +21,7 @@ const DIGITS: i32 = 6;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{place}: {reason}")]
 pub struct Unflyable {
-    /// The keyframe, or the two keyframes around the place; they count from 1.
+    /// The keyframe, or the two keyframes around the place; they count from 1. In a camera path, their lines.
     pub place: String,
     /// The value there, and what is allowed.
     pub reason: String,
@@ -44,11 +48,14 @@ impl Journey {
             Some(possible(there).err().unwrap_or(reason))
         };
         let times = self.times();
-        let ahead = |time: &f64| *time - times[0] >= from;
+        let ahead = |time: &f64| *time - self.start() >= from;
         for (index, &time) in times.iter().enumerate().filter(|(_, time)| ahead(time)) {
             if let Some(reason) = refusal(time) {
                 return Err(Unflyable {
-                    place: format!("keyframe {} (time = {time})", index + 1),
+                    place: match &self.path {
+                        Some(path) => format!("line {} (time_s = {time})", path.line(index)),
+                        None => format!("keyframe {} (time = {time})", index + 1),
+                    },
                     reason,
                 });
             }
@@ -61,19 +68,29 @@ impl Journey {
                 });
             }
         }
+        let pairs = u32::try_from(times.len()).unwrap_or(u32::MAX).max(1);
+        let moments = (MAX_MOMENTS / pairs).clamp(2, MOMENTS);
         for (index, pair) in times.windows(2).enumerate() {
             let (start, end) = (pair[0], pair[1]);
             // The last moment is just before the next keyframe, where the observer may change.
             let inner =
-                (1..MOMENTS).map(|i| start + (end - start) * f64::from(i) / f64::from(MOMENTS));
+                (1..moments).map(|i| start + (end - start) * f64::from(i) / f64::from(moments));
             for moment in inner.chain([end.next_down()]).filter(ahead) {
                 if let Some(reason) = refusal(moment) {
-                    let [number, next] = [index + 1, index + 2];
+                    let [number, next] = [index, index + 1];
                     let time = rounded(moment);
-                    return Err(Unflyable {
-                        place: format!("between keyframes {number} and {next} (time = {time})"),
-                        reason,
-                    });
+                    let place = match &self.path {
+                        Some(path) => {
+                            let [line, next] = [number, next].map(|row| path.line(row));
+                            format!("between lines {line} and {next} (time_s = {time})")
+                        }
+                        None => format!(
+                            "between keyframes {} and {} (time = {time})",
+                            number + 1,
+                            next + 1
+                        ),
+                    };
+                    return Err(Unflyable { place, reason });
                 }
             }
         }

@@ -1,5 +1,6 @@
 //! A lesson under construction: the scenes that were chosen as its stops, and its text.
 
+use super::ease::Ease;
 use super::keyframe::{Keyframe, Values};
 use super::save::Said;
 use super::stop::{InspectorView, SideBySide, Stop, is_switched};
@@ -262,7 +263,9 @@ impl Draft {
 fn keyframe(time: f64, values: Values) -> Keyframe {
     Keyframe {
         time,
+        ease: Ease::Smooth,
         values,
+        set: Values::new(),
         in_rain: Values::new(),
     }
 }

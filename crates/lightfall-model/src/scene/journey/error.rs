@@ -125,12 +125,30 @@ pub enum Fault {
     Count { count: usize },
     /// A keyframe with an unknown key.
     #[error(
-        "keyframe {number}: there is no {key}; {}a keyframe has time, any of {}, and a table rain of those but \
-             the observer and the disk's own, for an observer that falls from rest at infinity",
+        "keyframe {number}: there is no {key}; {}a keyframe has time, ease, a table set of other fields of the \
+             scene, any of {}, and a table rain of those but the observer and the disk's own, for an observer that \
+             falls from rest at infinity",
         meant(key, &keyframe_keys()),
         names()
     )]
     UnknownKey { number: usize, key: String },
+    /// A key of the table `set` that is no field, or one that no keyframe sets.
+    #[error("keyframe {number}: {key} is refused: {why}")]
+    SetKey {
+        number: usize,
+        /// With the table's name before it.
+        key: String,
+        why: String,
+    },
+    /// A value of the table `set` that its field cannot have.
+    #[error("keyframe {number}: {key} = {given} is refused: it must be {allowed}")]
+    SetValue {
+        number: usize,
+        /// With the table's name before it.
+        key: String,
+        given: String,
+        allowed: String,
+    },
     /// Too many captions.
     #[error("a journey has at most {MAX_CAPTIONS} tables [[caption]], and this one has {count}")]
     CaptionCount { count: usize },
@@ -182,7 +200,11 @@ impl Fault {
             }
             Self::Line { key, .. } => Some((None, *key)),
             Self::Preset { .. } => Some((None, "preset")),
-            Self::UnknownKey { number, key } => Some((Some(("keyframe", *number)), key.as_str())),
+            Self::UnknownKey { number, key }
+            | Self::SetKey { number, key, .. }
+            | Self::SetValue { number, key, .. } => {
+                Some((Some(("keyframe", *number)), key.as_str()))
+            }
             Self::CaptionKey { number, key } => Some((Some(("caption", *number)), key.as_str())),
             Self::StopKey { number, key, .. } => Some((Some(("stop", *number)), key.as_str())),
             Self::Value {
@@ -205,7 +227,7 @@ fn names() -> String {
 
 /// The keys of a keyframe.
 fn keyframe_keys() -> Vec<&'static str> {
-    let own = ["time", "rain"].into_iter();
+    let own = ["time", "ease", "set", "rain"].into_iter();
     own.chain(NAMES.map(|(name, _)| name)).collect()
 }
 

@@ -42,7 +42,9 @@ pub(super) const NAMES: [(&str, &str); 13] = [
 ];
 
 /// What the table `rain` of a keyframe may not have: it is the same for every observer.
-pub(super) const NOT_IN_RAIN: [&str; 5] = [
+pub(super) const NOT_IN_RAIN: [&str; 7] = [
+    "ease",
+    "set",
     "observer",
     "disk_tilt_deg",
     "disk_node_deg",

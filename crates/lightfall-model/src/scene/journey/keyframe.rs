@@ -1,7 +1,9 @@
 //! One keyframe of a journey: its values, each checked by the field that it will be written to.
 
+use super::ease::Ease;
 use super::error::Fault;
 use super::format::{MAX_SECONDS, NAMES, NOT_IN_RAIN, field_like};
+use super::set::read_set;
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::{Value, shortened};
 use std::collections::BTreeMap;
@@ -18,8 +20,12 @@ pub(super) type Values = BTreeMap<&'static str, Value>;
 pub(super) struct Keyframe {
     /// When it is, in seconds.
     pub(super) time: f64,
+    /// How what it names goes on to the next keyframe that names it.
+    pub(super) ease: Ease,
     /// What it names.
     pub(super) values: Values,
+    /// The fields of the scene that its table `set` names, by their keys.
+    pub(super) set: Values,
     /// What differs for an observer that falls freely.
     pub(super) in_rain: Values,
 }
@@ -36,6 +42,8 @@ impl Keyframe {
             key: key.into(),
         };
         let time = time(number, frame.remove("time").as_ref(), before)?;
+        let ease = ease(number, frame.remove("ease").as_ref())?;
+        let set = read_set(number, frame.remove("set"))?;
         let in_rain = match frame.remove("rain") {
             Some(toml::Value::Table(in_rain)) => in_rain,
             Some(_) => return Err(unknown("value rain")),
@@ -46,6 +54,8 @@ impl Keyframe {
         }
         Ok(Self {
             time,
+            ease,
+            set,
             values: checked(number, &frame)?,
             in_rain: checked(number, &in_rain)?,
         })
@@ -81,6 +91,21 @@ fn time(number: usize, time: Option<&toml::Value>, before: Option<f64>) -> Resul
         key: "time",
         given: time.map(given),
         allowed,
+    })
+}
+
+/// The ease of a keyframe.
+fn ease(number: usize, value: Option<&toml::Value>) -> Result<Ease, Fault> {
+    let Some(value) = value else {
+        return Ok(Ease::Smooth);
+    };
+    let word = value.as_str().and_then(Ease::from_word);
+    word.ok_or_else(|| Fault::Value {
+        table: TABLE,
+        number,
+        key: "ease",
+        given: Some(given(value)),
+        allowed: format!("one of {}", Ease::WORDS.join(", ")),
     })
 }
 

@@ -4,9 +4,10 @@ use super::Journey;
 use super::caption::{allowed_line, line, read_captions};
 use super::clock::Clock;
 use super::error::{Fault, JourneyError};
+use super::field_tracks::FieldTracks;
 use super::format::MAX_KEYFRAMES;
 use super::keyframe::{Keyframe, TABLE, Values};
-use super::read_stop::read_stops;
+use super::read_stop::{read_stops, set_elsewhere};
 use super::tracks::{Tracks, component};
 use crate::scene::ObserverKind;
 use crate::scene::fields::field;
@@ -107,6 +108,10 @@ fn journey(table: Table) -> Result<Journey, Vec<Fault>> {
             if let Some(fault) = too_fast.into_iter().find_map(Result::err) {
                 return Err(vec![fault]);
             }
+            let set = |key: &str| keyframes.iter().any(|frame| frame.set.contains_key(key));
+            if let Some(fault) = set_elsewhere(&stops, set) {
+                return Err(vec![fault]);
+            }
             Ok(Journey {
                 title,
                 teaches,
@@ -145,9 +150,14 @@ fn flown(keyframes: Vec<Keyframe>, [values, in_rain]: [Vec<Values>; 2]) -> Journ
         keyframes.iter().filter_map(number).collect()
     };
     let tracks = |values: &[Values]| {
-        let times = keyframes.iter().map(|frame| frame.time - start);
-        Tracks::through(&times.zip(values).collect::<Vec<_>>())
+        let frames = keyframes.iter().zip(values);
+        let frames = frames.map(|(frame, values)| (frame.time - start, frame.ease, values));
+        Tracks::through(&frames.collect::<Vec<_>>())
     };
+    let set = keyframes
+        .iter()
+        .map(|frame| (frame.time - start, frame.ease, &frame.set));
+    let fields = FieldTracks::through(&set.collect::<Vec<_>>());
     Journey {
         title: String::new(),
         teaches: String::new(),
@@ -158,6 +168,8 @@ fn flown(keyframes: Vec<Keyframe>, [values, in_rain]: [Vec<Values>; 2]) -> Journ
         duration: end - start,
         tracks: tracks(&values),
         tracks_in_rain: tracks(&in_rain),
+        fields,
+        path: None,
         kinds: keyframes.iter().filter_map(kind).collect(),
         clock: Clock {
             rates: numbers("disk_rate"),

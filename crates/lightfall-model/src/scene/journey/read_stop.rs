@@ -189,6 +189,20 @@ fn read_field(
     }
 }
 
+/// The fault of the first stop that switches a field that keyframes set: a field has one leader.
+pub(super) fn set_elsewhere(stops: &[Stop], is_set: impl Fn(&str) -> bool) -> Option<Fault> {
+    let mut switched = stops.iter().enumerate().flat_map(|(index, stop)| {
+        let fields = stop.fields.iter();
+        fields.map(move |(key, _)| (index + 1, *key))
+    });
+    let (number, key) = switched.find(|(_, key)| is_set(key))?;
+    Some(Fault::StopKey {
+        number,
+        key: key.into(),
+        hint: "no stop switches it, because the table set of a [[keyframe]] leads it".into(),
+    })
+}
+
 /// What to write instead of an unknown key of a stop.
 fn hint_of_stop(key: &str) -> String {
     const OWN: [&str; 6] = [

@@ -1,5 +1,6 @@
 //! From a journey to its text, which `load` reads back as the same journey.
 
+use super::ease::Ease;
 use super::keyframe::{Keyframe, Values};
 use super::read_stop::TWO_PICTURES;
 use super::stop::{InspectorView, SideBySide};
@@ -76,8 +77,16 @@ fn keyframe_text(frame: &Keyframe) -> String {
             .collect()
     };
     let time = pair("time", frame.time);
+    let ease = match frame.ease {
+        Ease::Smooth => String::new(),
+        ease => pair("ease", ease.word()),
+    };
+    let set = values("set.", &frame.set);
     let in_rain = values("rain.", &frame.in_rain);
-    format!("[[keyframe]]\n{time}{}{in_rain}", values("", &frame.values))
+    format!(
+        "[[keyframe]]\n{time}{ease}{}{set}{in_rain}",
+        values("", &frame.values)
+    )
 }
 
 fn caption_text(caption: &Caption) -> String {

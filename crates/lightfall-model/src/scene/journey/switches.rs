@@ -53,6 +53,20 @@ impl Journey {
         self.stops.partition_point(|stop| stop.time <= time)
     }
 
+    /// Whether keyframes set fields of the scene.
+    pub fn sets_fields(&self) -> bool {
+        self.fields.keys().next().is_some()
+    }
+
+    /// Gives every field that keyframes set its value of `base`.
+    pub fn put_back(&self, base: &Scene, scene: &mut Scene) {
+        for key in self.fields.written() {
+            if let Some(field) = crate::scene::field(key) {
+                write(scene, (field.key, &field.get(base)));
+            }
+        }
+    }
+
     /// Gives every field that some stop switches its value of `base`, and then its value of
     /// `fields`, if these have it.
     pub fn switch(&self, fields: &BTreeMap<&'static str, Value>, base: &Scene, scene: &mut Scene) {

@@ -1,5 +1,6 @@
 //! The quantities of a journey, and their tracks through its keyframes.
 
+use super::ease::Ease;
 use super::keyframe::Values;
 use super::track::Track;
 use crate::geometry::sphere::wrap_degrees;
@@ -25,6 +26,16 @@ enum Way {
     Logarithm,
     /// As an angle in degrees, whose whole turns are left out afterwards.
     Turns,
+}
+
+impl Way {
+    /// The number whose track leads a quantity of this value.
+    fn led(&self, value: f64) -> f64 {
+        match self {
+            Self::Logarithm => value.ln(),
+            Self::Plain | Self::Turns => value,
+        }
+    }
 }
 
 const fn quantity(name: &'static str, way: Way, place: fn(&mut Scene) -> &mut f64) -> Quantity {
@@ -73,17 +84,25 @@ pub(super) struct Tracks([Option<Track>; QUANTITIES.len()]);
 
 impl Tracks {
     /// The tracks through keyframes, each with its time in seconds after the beginning.
-    pub(super) fn through(keyframes: &[(f64, &Values)]) -> Self {
+    pub(super) fn through(keyframes: &[(f64, Ease, &Values)]) -> Self {
         Self(QUANTITIES.map(|quantity| {
-            let point = |(time, values): &(f64, &Values)| {
+            let point = |(time, ease, values): &(f64, Ease, &Values)| {
                 let value = component(values.get(quantity.name)?, quantity.component)?;
-                let value = match quantity.way {
-                    Way::Logarithm => value.ln(),
-                    Way::Plain | Way::Turns => value,
-                };
-                Some((*time, value))
+                Some(((*time, quantity.way.led(value)), *ease))
             };
-            Track::through(&keyframes.iter().filter_map(point).collect::<Vec<_>>())
+            let (points, eases): (Vec<_>, Vec<_>) = keyframes.iter().filter_map(point).unzip();
+            Track::eased(&points, |i| eases[i])
+        }))
+    }
+
+    /// The tracks along a camera path. `points` gives those of a quantity by its name and component.
+    pub(super) fn along(points: impl Fn(&str, usize) -> Vec<(f64, f64)>) -> Self {
+        Self(QUANTITIES.map(|quantity| {
+            let mut points = points(quantity.name, quantity.component);
+            for (_, value) in &mut points {
+                *value = quantity.way.led(*value);
+            }
+            Track::along(&points)
         }))
     }
 
