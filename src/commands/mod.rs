@@ -5,6 +5,8 @@
 
 mod adapters;
 mod bench;
+mod camera;
+mod captions;
 mod circumstances;
 pub mod cli;
 mod console;

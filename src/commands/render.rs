@@ -18,6 +18,7 @@ use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_opti
 use self::pictures::{Pictures, drawn_scene, sequence};
 use self::times::{TIMED_FRAMES, print_times, write_times};
 use self::writer::PictureWriter;
+use super::camera;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
@@ -42,6 +43,9 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         .map(|frames| sequence(args, frames, &scene))
         .transpose()?;
     let format = check_files(&args.out, sequence.as_ref())?;
+    args.camera
+        .iter()
+        .try_for_each(|file| camera::check_file(file))?;
     let mut scene = with_size(args, scene);
     scene
         .check()
@@ -77,6 +81,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
         check_space(&pictures, &channels, tiling)?;
+    }
+    if !args.camera.is_empty() {
+        let numbers: Vec<u32> = pictures.numbers().collect();
+        let path = camera::path_of(&numbers, args.fps, &pictures.scene, |n| pictures.get(n).0)?;
+        let mut files = args.camera.iter();
+        files.try_for_each(|file| camera::write_path(file, &path))?;
     }
 
     let size = pictures.scene.picture.size();

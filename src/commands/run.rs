@@ -2,6 +2,8 @@
 
 use super::adapters::list_adapters;
 use super::bench::bench;
+use super::camera::camera;
+use super::captions::captions;
 use super::cli::{self, Command, GpuArgs};
 use super::console;
 use super::doctor::doctor;
@@ -60,6 +62,8 @@ fn execute(command: Command, addition: impl FnOnce(&mut App)) -> Result<(), Stop
         Command::Fly(args) => fly(&args, addition),
         Command::ListGpus => list_adapters(),
         Command::Render(args) => render(&args),
+        Command::Camera(args) => camera(&args),
+        Command::Captions(args) => captions(&args),
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => bench(&args),
         Command::Extremes(args) => extremes(&args),

@@ -92,8 +92,8 @@ pub struct FlyArgs {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml of
-    /// the source code is an example, and the journey that J flies by default
+    /// Fly a guided journey at once, from a TOML file of keyframes, or a camera path in CSV;
+    /// assets/journeys/default.toml of the source code is an example, and the journey that J flies by default
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub journey: Option<PathBuf>,
     /// Draw with the WGSL files of a folder, such as shaders of the source code, and read them again whenever one of
@@ -144,10 +144,14 @@ pub struct RenderArgs {
     #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
           allow_negative_numbers = true)]
     pub fps: f64,
-    /// TOML file of the journey that --frames draws, or none: the camera stays, and only the disk
-    /// moves [default: the built-in journey]
+    /// TOML file of the journey that --frames draws, or CSV file of a camera path, or none: the camera
+    /// stays, and only the disk moves [default: the built-in journey]
     #[arg(long, value_name = "FILE|none")]
     pub journey: Option<PathBuf>,
+    /// Also write the camera's path to this file, .csv or .usda; may be repeated. `lightfall camera` writes
+    /// it without drawing
+    #[arg(long, value_name = "FILE", requires = "frames")]
+    pub camera: Vec<PathBuf>,
     /// Also print the GPU time of each pass to standard error, and with =FILE write them to this CSV
     /// file
     #[arg(long, value_name = "FILE", conflicts_with = "frames", num_args = 0..=1, require_equals = true)]

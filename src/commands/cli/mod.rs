@@ -3,12 +3,14 @@
 mod args;
 mod measure;
 mod number;
+mod paths;
 mod size;
 
 pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
 pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
+pub use paths::{CameraArgs, CaptionsArgs};
 
 use crate::app::NO_GAMEPAD;
 use clap::error::ErrorKind;
@@ -64,6 +66,16 @@ pub enum Command {
     ListGpus,
     /// Render a picture, or a journey as a sequence of pictures, without a window.
     Render(RenderArgs),
+    /// Write the camera's path along a journey, for other programs, without drawing.
+    #[command(
+        // They concern pictures alone, and are accepted because they may precede the command.
+        mut_arg("samples", |arg| arg.hide(true)),
+        mut_arg("cells", |arg| arg.hide(true)),
+        mut_arg("stars", |arg| arg.hide(true)),
+    )]
+    Camera(CameraArgs),
+    /// Write the captions of a journey or a lesson as subtitles.
+    Captions(CaptionsArgs),
     /// Trace rays: CSV in, CSV out.
     #[command(
         // They concern pictures alone, and are accepted because they may precede the command.
@@ -99,6 +111,8 @@ impl Command {
         match self {
             Self::Fly(_) | Self::ListGpus => "",
             Self::Render(_) => "render",
+            Self::Camera(_) => "camera",
+            Self::Captions(_) => "captions",
             Self::Trace(_) => "trace",
             Self::Bench(_) => "bench",
             Self::Extremes(_) => "extremes",
@@ -150,6 +164,14 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
         return Err(conflict("--shaders is for flying, without a command"));
     }
     let (scene, mut journey) = (before.scene, before.journey);
+    if let Command::Camera(camera) = &mut command {
+        if journey.is_some() && camera.journey.is_some() {
+            return Err(conflict(
+                "--journey may be given once: before the command or after it",
+            ));
+        }
+        camera.journey = journey.take().or(camera.journey.take());
+    }
     if let Command::Render(render) = &mut command {
         if journey.is_some() && render.journey.is_some() {
             return Err(conflict(
@@ -168,12 +190,13 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
     }
     if journey.is_some() {
         return Err(conflict(
-            "--journey is for flying, without a command, and for `render` with --frames",
+            "--journey is for flying, without a command, for `render` with --frames, and for `camera`",
         ));
     }
     match &mut command {
         Command::Fly(_) | Command::ListGpus => {}
         Command::Render(RenderArgs { scene: after, .. })
+        | Command::Camera(CameraArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. })
         | Command::Doctor(DoctorArgs { scene: after, .. }) => {
             let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
@@ -190,6 +213,7 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
         }
         _ if scene == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
+        Command::Captions(_) => return Err(conflict("`captions` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => {
             return Err(conflict(
