@@ -4,8 +4,11 @@
     reason = "a test that unwraps an error fails, as it should"
 )]
 
+mod camera_path_faults;
+mod camera_paths;
 mod changes;
 mod disk_motion;
+mod eases;
 mod fields;
 mod garbled;
 mod journey;
@@ -18,6 +21,7 @@ mod presets;
 mod random;
 mod step_policy;
 mod stops;
+mod subtitles;
 mod text;
 mod toml_faults;
 mod words;

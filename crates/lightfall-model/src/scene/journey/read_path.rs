@@ -3,6 +3,7 @@
 use super::Journey;
 use super::camera_rows::journey_along;
 use super::row::Row;
+use crate::numbers::counted;
 use crate::scene::camera_path::COLUMNS;
 use crate::scene::nearest_name;
 use crate::scene::value::quoted;
@@ -66,8 +67,9 @@ pub(super) enum PathFault {
     },
     /// A row with another number of fields.
     #[error(
-        "the row has {count} fields, and the first line names {columns} columns; commas stand between \
-         fields, and numbers have decimal points"
+        "the row has {}, and the first line names {columns} columns; commas stand between fields, and numbers \
+         have decimal points",
+        counted(*count, "field")
     )]
     Fields { count: usize, columns: usize },
     /// A value that its column cannot have.
@@ -80,13 +82,9 @@ pub(super) enum PathFault {
     /// Too few or too many rows.
     #[error(
         "a camera path is a line of column names and from 2 to {MAX_ROWS} rows below it, and this one has {}",
-        rows(*count)
+        counted(*count, "row")
     )]
     Rows { count: usize },
-}
-
-fn rows(count: usize) -> String {
-    crate::numbers::counted(count, "row")
 }
 
 /// Makes a journey of a camera path in CSV. `origin` names it in messages. A path that counts frames and

@@ -122,7 +122,7 @@ impl Track {
 }
 
 /// A slope at the end of a cubic whose mean slope is `secant`, limited so that the cubic stays monotone:
-/// up to three times the mean (Fritsch & Carlson 1980), and zero where the signs differ.
+/// up to three times the mean (de Boor & Swartz 1977), and zero where the signs differ.
 fn monotone(slope: f64, secant: f64) -> f64 {
     if slope * secant <= 0.0 {
         0.0
