@@ -2,6 +2,7 @@
 
 mod copied;
 mod help;
+mod paths;
 mod presets;
 mod render;
 

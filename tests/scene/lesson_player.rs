@@ -350,3 +350,25 @@ fn after_a_lesson_comes_the_next_one_that_has_stops() {
     assert_eq!(next(&list[LESSONS.len() - 1].title), None);
     assert_eq!(next("mine"), None);
 }
+
+#[test]
+fn what_keyframes_set_is_shown_on_the_way_and_put_back_when_the_journey_is_left() {
+    let text = "[[keyframe]]\ntime = 0\nr = 20\nease = \"linear\"\nset = { disk.brightness = 1, picture.exposure_ev = 0 }\n\
+                [[keyframe]]\ntime = 4\nr = 10\nset = { disk.brightness = 3 }\n";
+    let mut player = JourneyPlayer::new(load("set.toml", text).unwrap());
+    let mut home = scene();
+    home.disk.brightness = 0.5;
+    home.picture.automatic_exposure = true;
+    player.rewind(&home);
+    player.restart();
+    // The first frame shows the start itself, and 16 more are 2 s.
+    let half = after(&mut player, &home, 17).unwrap();
+    assert_eq!((player.time(), half.disk.brightness), (2.0, 2.0));
+    assert_eq!(
+        (half.picture.automatic_exposure, half.picture.exposure_ev),
+        (false, 0.0)
+    );
+    player.stop();
+    let back = player.unswitched(half).unwrap();
+    assert_eq!((back.disk, back.picture), (home.disk, home.picture));
+}

@@ -11,6 +11,7 @@
 
 #[path = "../../crates/lightfall-core/tests/gpu/adapter.rs"]
 mod adapter;
+mod camera_files;
 mod canvas;
 mod command_line;
 mod comparison;
