@@ -59,6 +59,10 @@ fn a_camera_path_that_was_written_is_flown_again() {
         rows[16]
     );
     alike(&write("a.csv", "b.csv"), &table);
+    assert_eq!(
+        program(folder.path(), "presets check a.csv", ""),
+        (0, "a.csv: ok, a journey of 2.5 s\n".into(), String::new())
+    );
     let camera = write("flight.toml", "a.usda");
     assert!(
         camera.contains("\n    startTimeCode = 5\n")

@@ -2,7 +2,7 @@
 
 use super::files::exists;
 use super::folders::{lessons_folder, missions_folder, preset_files, presets_folder};
-use super::scene_source::{SourceError, contents, text_of_source};
+use super::scene_source::{SourceError, contents, is_camera_path, journey_by_name, text_of_source};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::ship::Attempt;
 use lightfall_core::scene::journey::{self, Journey, LESSONS};
@@ -88,11 +88,15 @@ pub fn open_by_name(
     open_file(&own.ok_or_else(|| unknown(asked, given))?, overrides)
 }
 
-/// The preset, the mission or the journey of a file, or the preset in a picture.
+/// The preset, the mission or the journey of a file, or the preset in a picture. A table in CSV is a camera
+/// path, which is a journey.
 ///
 /// # Errors
 /// The file cannot be read or is wrong, or an override is wrong.
 pub fn open_file(path: &Path, overrides: &[Override]) -> Result<Opened, SourceError> {
+    if is_camera_path(path) {
+        return Ok(Opened::Journey(Box::new(journey_by_name(path)?)));
+    }
     open_contents(path, contents(path)?, overrides)
 }
 

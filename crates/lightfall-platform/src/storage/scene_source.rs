@@ -175,7 +175,7 @@ pub fn journey_at_rate(path: &Path, fps: f64) -> Result<Journey, SourceError> {
 }
 
 /// Whether a file is a table of cameras, which its name says.
-fn is_camera_path(path: &Path) -> bool {
+pub(super) fn is_camera_path(path: &Path) -> bool {
     let extension = path.extension();
     extension.is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
 }
