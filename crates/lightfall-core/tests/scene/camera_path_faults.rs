@@ -76,6 +76,24 @@ fn a_wrong_table_is_refused_with_its_line_what_stands_there_and_what_is_allowed(
     assert!(unknown.starts_with(start), "{unknown}");
 }
 
+/// An hour and a half at 24 frames a second, as many as one run draws.
+#[test]
+fn a_path_has_at_most_as_many_rows_as_a_run_has_frames() {
+    let rows: String = (0..130_000)
+        .map(|frame| format!("{frame},20,80,{}\n", 0.01 * f64::from(frame)))
+        .collect();
+    let text = format!("frame,r,theta_deg,phi_deg\n{rows}");
+    let path = load_camera_path("cam.csv", &text, 24.0).unwrap();
+    assert_eq!(path.duration, 129_999.0 / 24.0);
+    let sentence =
+        load_camera_path("cam.csv", &format!("{text}130000,20,80,0\n"), 24.0).unwrap_err();
+    assert_eq!(
+        sentence.to_string(),
+        "cam.csv: line 130002: a camera path is a line of column names and from 2 to 130000 rows below it, and this \
+         one has 130001 rows"
+    );
+}
+
 #[test]
 fn a_place_where_the_observer_cannot_exist_is_told_by_its_line() {
     let check = |text: &str| {
