@@ -55,13 +55,13 @@ pub(super) fn path_of(
 ) -> Result<CameraPath, Stop> {
     let size = scene.picture.size().as_dvec2();
     let mut path = CameraPath::new(fps, size.x / size.y);
-    let exposed = |&number: &u32| {
+    let exposed = |&number: &u32| -> Result<(u32, Scene), Stop> {
         let drawable = Drawable::new(get(number))
             .map_err(|reason| Stop::refused(format!("frame {number}: {reason}")))?;
         Ok((number, drawable.exposed().into_scene()))
     };
     for some in numbers.chunks(SCENES_AT_ONCE) {
-        let scenes: Vec<Result<(u32, Scene), Stop>> = some.par_iter().map(&exposed).collect();
+        let scenes: Vec<_> = some.par_iter().map(&exposed).collect();
         for found in scenes {
             let (number, scene) = found?;
             path.add(number, &scene);
