@@ -62,11 +62,6 @@ pub const SECTIONS: &[Section] = sections! {
         "camera.yaw_deg" "Turn right" Linear(-180.0, 180.0);
         "camera.pitch_deg" "Turn up" Linear(-90.0, 90.0);
         "camera.roll_deg" "Roll" Linear(-180.0, 180.0);
-        "camera.projection" "Projection" Plain;
-        "camera.fisheye_deg" "Fisheye's field" Linear(30.0, 360.0);
-        "camera.circle" "Fisheye's circle" Logarithmic(0.5, 4.0);
-        "camera.tilt_deg" "Tilt of the picture" Linear(-90.0, 90.0);
-        "camera.shift" "Shift of the picture" Plain;
         "observer.kind" "Motion" Plain;
         "observer.velocity" "Extra velocity" Plain;
     }
@@ -159,6 +154,13 @@ pub const SECTIONS: &[Section] = sections! {
         "picture.grid_height" "Cells down" Logarithmic(9.0, 8192.0);
         "picture.width" "Width" Logarithmic(64.0, 8192.0);
         "picture.height" "Height" Logarithmic(36.0, 8192.0);
+    }
+    folded "Projection" {
+        "camera.projection" "Projection" Plain;
+        "camera.fisheye_deg" "Fisheye's field" Linear(30.0, 360.0);
+        "camera.circle" "Fisheye's circle" Logarithmic(0.5, 4.0);
+        "camera.tilt_deg" "Tilt of the picture" Linear(-90.0, 90.0);
+        "camera.shift" "Shift of the picture" Plain;
     }
     folded "Method and quality" {
         "method" "Method" Plain;
