@@ -72,6 +72,16 @@ pub fn numbered_monitor(number: usize, monitors: &[Monitor]) -> Result<usize, St
     })
 }
 
+/// Gives a window over the whole screen the size and the place of its monitor. An X server without a
+/// window manager, on which an exhibition may run, leaves both to the program.
+pub(crate) fn cover(window: &mut Window, monitor: &Monitor) {
+    if cfg!(target_os = "linux") {
+        let size = monitor.physical_size();
+        window.resolution.set_physical_resolution(size.x, size.y);
+        window.position = WindowPosition::At(monitor.physical_position);
+    }
+}
+
 /// Brings the window to its monitor, once the monitors are known, or ends the program with a sentence.
 fn choose_monitor(
     placement: Res<Placement>,
@@ -97,6 +107,7 @@ fn choose_monitor(
             let chosen = MonitorSelection::Entity(entities[place]);
             if placement.full_screen {
                 window.mode = WindowMode::BorderlessFullscreen(chosen);
+                cover(&mut window, &known[place]);
             } else {
                 window.position = WindowPosition::Centered(chosen);
             }

@@ -1,6 +1,6 @@
 //! The window: its title, its size at the start, and the whole screen.
 
-use super::monitor::{Placement, first_mode};
+use super::monitor::{Placement, cover, first_mode};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
@@ -79,6 +79,7 @@ fn toggle_full_screen(
 /// Makes the first window smaller where the monitor has no room for it. It keeps its shape.
 fn fit_to_monitor(
     monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
+    placement: Res<Placement>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut done: Local<bool>,
 ) {
@@ -91,8 +92,11 @@ fn fit_to_monitor(
     };
     *done = true;
     let room = monitor.physical_size();
-    // A window over the whole screen has its size from the desktop.
     if window.mode != WindowMode::Windowed {
+        // Another monitor than the first one comes to the window by itself.
+        if placement.monitor.is_none() {
+            cover(&mut window, monitor);
+        }
         return;
     }
     if window.physical_size().cmpgt(room).any() {
