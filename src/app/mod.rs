@@ -45,7 +45,6 @@ pub use motion::zoom::zoomed;
 pub use session::adaptive_resolution::{next_share, wanted_rate};
 pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
-pub use session::kiosk::QUIT_HOLD;
 #[cfg(not(target_arch = "wasm32"))]
 pub use session::link::command_line;
 pub use session::monitor::{MonitorFault, Placement, numbered_monitor};

@@ -10,7 +10,7 @@ use std::time::Duration;
 const QUIT: &str = "window.quit";
 const QUIT_MODIFIERS: [Modifier; 2] = [Modifier::Ctrl, Modifier::Shift];
 /// How long the keys that end the window are held: longer than a hand rests on them.
-pub const QUIT_HOLD: Duration = Duration::from_secs(3);
+const QUIT_HOLD: Duration = Duration::from_secs(3);
 /// The longest time that counts for a frame: a slow frame does not stand for a key that is held.
 const MAX_FRAME: Duration = Duration::from_millis(500);
 /// How long the arrow stays after the mouse has moved.
