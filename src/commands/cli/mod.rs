@@ -20,6 +20,7 @@ Examples:
   lightfall                                      fly, from preset 2
   lightfall --preset einstein-ring               fly, from another preset
   lightfall --preset graze                       fly a mission
+  lightfall --kiosk                              fly journeys in a loop, for visitors
   lightfall render --preset 2 -o disk.png        one picture
   lightfall render --preset 2 --aov all -o disk.exr     linear light, and the data of each pixel's ray
   lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey
@@ -146,8 +147,10 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
             .expect("every command has its name")
             .error(ErrorKind::ArgumentConflict, message)
     };
-    if before.shaders.is_some() {
-        return Err(conflict("--shaders is for flying, without a command"));
+    if let Some(option) = before.window_option() {
+        return Err(conflict(&format!(
+            "{option} is for flying, without a command"
+        )));
     }
     let (scene, mut journey) = (before.scene, before.journey);
     if let Command::Render(render) = &mut command {
