@@ -37,6 +37,7 @@ pub fn undrawable(reason: &Undrawable, scene: &Scene) -> String {
             format!("the method {} traces no spin", scene.method.word())
         }
         Undrawable::Gpu(other) => with_short_numbers(&other.to_string()),
+        Undrawable::Sky(fault) => fault.to_string(),
     }
 }
 
