@@ -15,7 +15,9 @@ use lightfall_core::gpu::bindings::{
 use lightfall_core::gpu::{
     Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
 };
+use lightfall_core::optics::sky_picture::SkyPicture;
 use lightfall_core::scene::{Frame, Part, SkyMode};
+use std::sync::Arc;
 
 /// The numbers of a scene, and the pipelines that draw them.
 #[derive(Default)]
@@ -24,6 +26,8 @@ pub(super) struct Side {
     inputs: InputBuffers,
     /// The stars; `None` where the sky has no real ones.
     stars: Option<SceneStars>,
+    /// The picture of the sky; `None` in other modes of the sky.
+    sky: Option<SkyOnGpu>,
     bind_group: Option<BindGroup>,
     pipelines: Option<SidePipelines>,
     /// Where the scene's own picture begins in the target, in pixels.
@@ -48,12 +52,24 @@ pub(super) struct SideWriter<'a> {
     pub(super) graphics: &'a Graphics<'a>,
 }
 
+/// A picture of the sky, and its texture on the GPU.
+#[derive(Clone)]
+struct SkyOnGpu {
+    picture: Arc<SkyPicture>,
+    view: TextureView,
+}
+
+/// Maximum number of pictures of the sky on the GPU: one for each of two compared scenes.
+const MAX_PICTURES: usize = 2;
+
 /// Inputs that both sides share, and placeholders for inputs that a scene does not need.
 pub(super) struct Shared {
     /// The Milky Way, from the first scene on that shows it.
     milky_way: Option<TextureView>,
     sampler: Sampler,
     no_milky_way: TextureView,
+    /// The pictures of the sky that scenes have shown last, the most recent one last.
+    pictures: Vec<SkyOnGpu>,
     /// A uniform or a storage array that no shader reads.
     no_input: Buffer,
 }
@@ -64,6 +80,7 @@ impl Shared {
             milky_way: None,
             sampler: device.create_sampler(&SkyTexture::sampler()),
             no_milky_way: sky_texture(device, queue, false),
+            pictures: Vec::new(),
             no_input: create_buffer(
                 device,
                 "no input",
@@ -83,6 +100,32 @@ fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: bool) -> Textu
         &SkyTexture::bytes(shown),
     );
     texture.create_view(&SkyTexture::view())
+}
+
+impl Shared {
+    /// The texture of a picture of the sky.
+    fn picture(&mut self, picture: &Arc<SkyPicture>, graphics: &Graphics) -> SkyOnGpu {
+        let known = self.pictures.iter();
+        let mut known = known.filter(|known| Arc::ptr_eq(&known.picture, picture));
+        if let Some(known) = known.next() {
+            return known.clone();
+        }
+        let texture = graphics.device.create_texture_with_data(
+            &graphics.queue,
+            &SkyTexture::descriptor_of_picture(picture),
+            TextureDataOrder::LayerMajor,
+            &SkyTexture::bytes_of_picture(picture),
+        );
+        let sky = SkyOnGpu {
+            picture: Arc::clone(picture),
+            view: texture.create_view(&SkyTexture::view()),
+        };
+        if self.pictures.len() >= MAX_PICTURES {
+            self.pictures.remove(0);
+        }
+        self.pictures.push(sky.clone());
+        sky
+    }
 }
 
 impl Side {
@@ -108,9 +151,28 @@ impl Side {
         self.pipelines = Some(pipelines);
         self.max_pixels_of_call = max_pixels_of_call(scene);
         let new_stars = self.write_stars(scene, pipelines, new_inputs, writer);
-        if new_inputs || new_stars || self.bind_group.is_none() {
+        let new_sky = self.write_sky(scene, writer);
+        if new_inputs || new_stars || new_sky || self.bind_group.is_none() {
             self.bind_group = self.bind(writer);
         }
+    }
+
+    /// Writes the picture of the scene's sky. Returns whether another one than before is to be bound.
+    fn write_sky(&mut self, scene: &Drawable, writer: &mut SideWriter) -> bool {
+        let shown = scene.view.shows_light();
+        // A scene that can be drawn has its picture.
+        let picture = SkyPicture::of(scene).ok().flatten().filter(|_| shown);
+        let before = self.sky.take();
+        let is_new = match (&before, &picture) {
+            (Some(before), Some(picture)) => !Arc::ptr_eq(&before.picture, picture),
+            (before, picture) => before.is_some() != picture.is_some(),
+        };
+        self.sky = match picture {
+            Some(picture) if is_new => Some(writer.shared.picture(&picture, writer.graphics)),
+            Some(_) => before,
+            None => None,
+        };
+        is_new
     }
 
     /// Writes the scene's stars. Returns whether other buffers than before are to be bound.
@@ -121,7 +183,7 @@ impl Side {
         new_inputs: bool,
         writer: &mut SideWriter,
     ) -> bool {
-        let shows_stars = scene.sky.mode == SkyMode::Stars && scene.view.shows_light();
+        let shows_stars = scene.sky.has_star_points() && scene.view.shows_light();
         if !shows_stars {
             return self.stars.take().is_some();
         }
@@ -134,10 +196,13 @@ impl Side {
             graphics,
             ..
         } = writer;
-        let new_texture = shared.milky_way.is_none();
-        shared
-            .milky_way
-            .get_or_insert_with(|| sky_texture(&graphics.device, &graphics.queue, true));
+        let is_milky_way = scene.sky.mode == SkyMode::Stars;
+        let new_texture = is_milky_way && shared.milky_way.is_none();
+        if is_milky_way {
+            shared
+                .milky_way
+                .get_or_insert_with(|| sky_texture(&graphics.device, &graphics.queue, true));
+        }
         let new_stars = self.stars.is_none();
         let stars = self
             .stars
@@ -164,6 +229,7 @@ impl Side {
         let shared = &*writer.shared;
         let stars = self.stars.as_ref();
         let milky_way = shared.milky_way.as_ref().filter(|_| stars.is_some());
+        let map = self.sky.as_ref().map(|sky| &sky.view).or(milky_way);
         let no_input = &shared.no_input;
         let sums = stars.and_then(SceneStars::sums).unwrap_or(no_input);
         let rows = bindings::ALL.iter().filter(|row| row.in_picture);
@@ -172,9 +238,12 @@ impl Side {
                 SCENE => self.uniform.binding()?,
                 STARLIGHT => match stars {
                     Some(stars) => stars.starlight()?,
-                    None => no_input.as_entire_binding(),
+                    None => {
+                        let of_picture = self.inputs.buffer(STARLIGHT).unwrap_or(no_input);
+                        of_picture.as_entire_binding()
+                    }
                 },
-                MILKY_WAY => milky_way.unwrap_or(&shared.no_milky_way).into_binding(),
+                MILKY_WAY => map.unwrap_or(&shared.no_milky_way).into_binding(),
                 MILKY_WAY_SAMPLER => shared.sampler.into_binding(),
                 STAR_SUMS => sums.as_entire_binding(),
                 input => {
