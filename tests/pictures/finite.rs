@@ -4,7 +4,7 @@
 use super::random::Random;
 use super::random_scene::{SKIES, random_scene};
 use exr::prelude::f16;
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::Scene;
 use lightfall_picture::{Channels, HeadlessOptions, PixelRays, Studio};
 use std::collections::HashMap;
 

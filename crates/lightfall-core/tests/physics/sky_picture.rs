@@ -157,14 +157,18 @@ fn a_picture_of_one_light_is_this_light_all_over_in_every_format() {
     }
 }
 
-/// A texel of the map is as large as a pixel of the picture, so a block of 2 x 2 pixels has its own
-/// light in the middle, and none a pixel beyond its edge.
+/// A texel of the map is about as large as a pixel of the picture, so that half of the block's light
+/// is in the texel at the middle of 2 x 2 pixels. None is in a texel that lies wholly more than half a
+/// pixel beyond their edge, which is as far as light is linear between pixels.
 #[test]
 fn a_bright_block_lies_at_its_longitude_and_latitude() {
     let folder = Folder::new("block");
     let (width, height) = (256, 128);
     // In the middle, next to the seam, and far north.
-    for (number, [x, y]) in [[128, 64], [30, 40], [254, 90], [70, 12]].into_iter().enumerate() {
+    for (number, [x, y]) in [[128, 64], [30, 40], [254, 90], [70, 12]]
+        .into_iter()
+        .enumerate()
+    {
         let path = folder.path(&format!("{number}.exr"));
         exr(&path, [width, height], |px, py| {
             let inside = (x..x + 2).contains(&px) && (y..y + 2).contains(&py);
@@ -177,8 +181,8 @@ fn a_bright_block_lies_at_its_longitude_and_latitude() {
             picture.light(direction([across, down]), 1.0, 0).y
         };
         // Pixels are narrower toward the pole, where a texel holds several.
-        let wide = if y < 20 { 12.0 } else { 4.0 };
-        assert!(seen(0.0, 0.0) > if y < 20 { 1.0 } else { 4.0 }, "{x}, {y}");
+        let (wide, least) = if y < 20 { (12.0, 0.5) } else { (4.0, 3.5) };
+        assert!(seen(0.0, 0.0) > least, "{x}, {y}: {}", seen(0.0, 0.0));
         for (dx, dy) in [(wide, 0.0), (-wide, 0.0), (0.0, 4.0), (0.0, -4.0)] {
             assert_eq!(seen(dx, dy), 0.0, "{x}, {y}, off by {dx}, {dy}");
         }
@@ -259,7 +263,7 @@ fn every_wrong_file_is_refused_with_a_sentence() {
         ("cut.png", &whole[..whole.len() / 2]),
         ("cut.hdr", &runs[..runs.len() - 5]),
         ("cut.exr", &open_exr[..open_exr.len() / 2]),
-        ("cut.jpg", &JPEG[..JPEG.len() - 40]),
+        ("cut.jpg", &JPEG[..JPEG.len() - 20]),
         ("head.png", &whole[..20]),
         ("head.exr", &open_exr[..20]),
         ("head.jpg", &JPEG[..20]),
@@ -271,7 +275,11 @@ fn every_wrong_file_is_refused_with_a_sentence() {
     }
     for (value, said) in [(f32::NAN, "NaN"), (-1.5, "-1.5"), (f32::INFINITY, "inf")] {
         let path = folder.path("value.exr");
-        exr(&path, [16, 8], |x, y| if (x, y) == (5, 3) { value } else { 1.0 });
+        exr(
+            &path,
+            [16, 8],
+            |x, y| if (x, y) == (5, 3) { value } else { 1.0 },
+        );
         assert_eq!(
             refusal(&path),
             format!("the light in column 5, row 3 is {said}, and light is a number from 0 up")

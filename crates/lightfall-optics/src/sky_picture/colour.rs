@@ -60,5 +60,5 @@ pub fn temperature([red, _, blue]: [f64; 3]) -> f64 {
 
 /// Linear light of this temperature, seen with the frequency ratio `g`, without beaming.
 pub fn shifted(light: DVec3, temperature: f64, g: f64) -> DVec3 {
-    light * thermal(g * temperature) / thermal(temperature)
+    light * (thermal(g * temperature) / thermal(temperature))
 }

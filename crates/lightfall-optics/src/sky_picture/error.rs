@@ -55,9 +55,7 @@ pub enum SkyPictureFault {
     )]
     Size { width: u32, height: u32 },
     /// A texel is not light.
-    #[error(
-        "the light in column {column}, row {row} is {value}, and light is a number from 0 up"
-    )]
+    #[error("the light in column {column}, row {row} is {value}, and light is a number from 0 up")]
     NoLight {
         column: usize,
         row: usize,

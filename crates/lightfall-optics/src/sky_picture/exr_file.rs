@@ -14,8 +14,8 @@ struct Pixels {
 /// The picture of an EXR: the channels R, G and B of its first layer that has them, in linear light
 /// of Rec. 709's primaries. Its alpha is in these channels already.
 pub(super) fn decoded(bytes: &[u8]) -> Result<Panorama, SkyPictureFault> {
-    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false)
-        .map_err(SkyPictureFault::broken)?;
+    let meta =
+        MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(SkyPictureFault::broken)?;
     // Before memory is taken for pixels. All layers of a panorama have its size.
     for header in &meta.headers {
         let Vec2(width, height) = header.layer_size;

@@ -18,7 +18,9 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<Panorama, SkyPictureFault> {
         PixelFormat::L8 => 1,
         PixelFormat::RGB24 => 3,
         PixelFormat::L16 | PixelFormat::CMYK32 => {
-            return Err(SkyPictureFault::broken("its colours are not those of a screen"));
+            return Err(SkyPictureFault::broken(
+                "its colours are not those of a screen",
+            ));
         }
     };
     let levels = decoder.decode().map_err(SkyPictureFault::broken)?;

@@ -25,13 +25,16 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<Panorama, SkyPictureFault> {
         if let Some(format) = line.strip_prefix("FORMAT=")
             && format.trim() != FORMAT
         {
-            return Err(SkyPictureFault::broken("its colours are not red, green and blue"));
+            return Err(SkyPictureFault::broken(
+                "its colours are not red, green and blue",
+            ));
         }
         // Several exposures multiply. Light is the pixels divided by them.
         if let Some(exposure) = line.strip_prefix("EXPOSURE=") {
             let exposure = exposure.trim().parse::<f32>().ok();
             let exposure = exposure.filter(|exposure| *exposure > 0.0 && exposure.is_finite());
-            scale /= exposure.ok_or_else(|| SkyPictureFault::broken("its exposure is no number"))?;
+            scale /=
+                exposure.ok_or_else(|| SkyPictureFault::broken("its exposure is no number"))?;
         }
     }
     let resolution = line(&mut rest)?;
