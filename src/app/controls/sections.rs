@@ -137,7 +137,7 @@ pub const SECTIONS: &[Section] = sections! {
         "sky.picture" "Picture's file" Plain;
         "sky.frame" "Picture's axes" Plain;
         "sky.mirror" "Picture mirrored" Plain;
-        "sky.stars" "Stars before it" Plain;
+        "sky.stars" "Catalogue's stars" Plain;
         "sky.ra_deg" "Behind the hole: RA" Linear(0.0, 360.0);
         "sky.dec_deg" "Behind the hole: Dec" Linear(-90.0, 90.0);
         "sky.roll_deg" "Turn of the sky" Linear(-180.0, 180.0);
