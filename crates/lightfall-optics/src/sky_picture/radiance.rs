@@ -76,7 +76,7 @@ fn bytes<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], SkyPictureFa
 fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), SkyPictureFault> {
     let width = row.len();
     let begins_runs = match rest {
-        [2, 2, high, low, ..] => usize::from(*high) << 8 | usize::from(*low) == width,
+        [2, 2, high, low, ..] => usize::from(u16::from_be_bytes([*high, *low])) == width,
         _ => false,
     };
     if !(begins_runs && RUN_WIDTHS.contains(&width)) {
