@@ -215,6 +215,33 @@ fn the_mean_light_is_that_of_the_reference() {
     }
 }
 
+/// In front of a black picture stands what the sky mode `stars` shows without the Milky Way: no pixel is
+/// brighter than there, and the brightest one, a star of some magnitudes above the Milky Way's light,
+/// is as bright.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn stars_are_drawn_in_front_of_a_picture_only_where_they_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("black.exr");
+    write_rgb_file(&path, 16, 8, |_, _| (0.0_f32, 0.0_f32, 0.0_f32)).unwrap();
+    let mut scene = under(&path, 0.0);
+    assert!(light(&scene).iter().all(|light| *light == DVec3::ZERO));
+    scene.sky.stars = true;
+    let points = light(&scene);
+    scene.sky.mode = SkyMode::Stars;
+    let whole = light(&scene);
+    for (at, (points, whole)) in points.iter().zip(&whole).enumerate() {
+        // Both are rounded to half floats.
+        let most = 1.002 * *whole + 1e-6;
+        assert!(points.cmple(most).all(), "pixel {at}: {points}, {whole}");
+    }
+    let lit = points.iter().filter(|light| light.max_element() > 0.0);
+    assert!(lit.count() > 50);
+    let brightest = |light: &[DVec3]| light.iter().map(|light| light.y).fold(0.0, f64::max);
+    let share = brightest(&points) / brightest(&whole);
+    assert!(share > 0.95, "{share}");
+}
+
 /// A preset names its picture from its own folder, and what is drawn of it keeps the path and says
 /// which file it was.
 #[test]
