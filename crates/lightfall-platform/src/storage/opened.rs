@@ -140,6 +140,20 @@ fn with_sky_beside(preset: &Path, mut scene: Scene, overrides: &[Override]) -> S
     scene
 }
 
+/// The scene for a preset file in another folder: the path of its picture of the sky is that from the
+/// root, where a field can hold it.
+#[must_use]
+pub fn with_whole_sky_path(mut scene: Scene) -> Scene {
+    if !scene.sky.picture.is_empty()
+        && let Ok(path) = std::path::absolute(&scene.sky.picture)
+        && let Some(path) = path.to_str()
+        && path.chars().count() <= MAX_TEXT_CHARS
+    {
+        scene.sky.picture = path.into();
+    }
+    scene
+}
+
 /// A mission that can be begun: there is a ship at its start, and its scene can be drawn.
 fn begun(mission: Mission, origin: &str, overrides: &[Override]) -> Result<Opened, SourceError> {
     let mission = mission.with(overrides)?;
