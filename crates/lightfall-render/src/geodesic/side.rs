@@ -2,6 +2,7 @@
 
 use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
+use super::sky::{SkyOnGpu, SkyPictures};
 use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
 use crate::graphics::{Graphics, create_buffer};
@@ -17,7 +18,6 @@ use lightfall_core::gpu::{
 };
 use lightfall_core::optics::sky_picture::SkyPicture;
 use lightfall_core::scene::{Frame, Part, SkyMode};
-use std::sync::Arc;
 
 /// The numbers of a scene, and the pipelines that draw them.
 #[derive(Default)]
@@ -52,24 +52,13 @@ pub(super) struct SideWriter<'a> {
     pub(super) graphics: &'a Graphics<'a>,
 }
 
-/// A picture of the sky, and its texture on the GPU.
-#[derive(Clone)]
-struct SkyOnGpu {
-    picture: Arc<SkyPicture>,
-    view: TextureView,
-}
-
-/// Maximum number of pictures of the sky on the GPU: one for each of two compared scenes.
-const MAX_PICTURES: usize = 2;
-
 /// Inputs that both sides share, and placeholders for inputs that a scene does not need.
 pub(super) struct Shared {
     /// The Milky Way, from the first scene on that shows it.
     milky_way: Option<TextureView>,
     sampler: Sampler,
     no_milky_way: TextureView,
-    /// The pictures of the sky that scenes have shown last, the most recent one last.
-    pictures: Vec<SkyOnGpu>,
+    pictures: SkyPictures,
     /// A uniform or a storage array that no shader reads.
     no_input: Buffer,
 }
@@ -80,7 +69,7 @@ impl Shared {
             milky_way: None,
             sampler: device.create_sampler(&SkyTexture::sampler()),
             no_milky_way: sky_texture(device, queue, false),
-            pictures: Vec::new(),
+            pictures: SkyPictures::default(),
             no_input: create_buffer(
                 device,
                 "no input",
@@ -100,32 +89,6 @@ fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: bool) -> Textu
         &SkyTexture::bytes(shown),
     );
     texture.create_view(&SkyTexture::view())
-}
-
-impl Shared {
-    /// The texture of a picture of the sky.
-    fn picture(&mut self, picture: &Arc<SkyPicture>, graphics: &Graphics) -> SkyOnGpu {
-        let known = self.pictures.iter();
-        let mut known = known.filter(|known| Arc::ptr_eq(&known.picture, picture));
-        if let Some(known) = known.next() {
-            return known.clone();
-        }
-        let texture = graphics.device.create_texture_with_data(
-            &graphics.queue,
-            &SkyTexture::descriptor_of_picture(picture),
-            TextureDataOrder::LayerMajor,
-            &SkyTexture::bytes_of_picture(picture),
-        );
-        let sky = SkyOnGpu {
-            picture: Arc::clone(picture),
-            view: texture.create_view(&SkyTexture::view()),
-        };
-        if self.pictures.len() >= MAX_PICTURES {
-            self.pictures.remove(0);
-        }
-        self.pictures.push(sky.clone());
-        sky
-    }
 }
 
 impl Side {
@@ -164,11 +127,11 @@ impl Side {
         let picture = SkyPicture::of(scene).ok().flatten().filter(|_| shown);
         let before = self.sky.take();
         let is_new = match (&before, &picture) {
-            (Some(before), Some(picture)) => !Arc::ptr_eq(&before.picture, picture),
+            (Some(before), Some(picture)) => !before.shows(picture),
             (before, picture) => before.is_some() != picture.is_some(),
         };
         self.sky = match picture {
-            Some(picture) if is_new => Some(writer.shared.picture(&picture, writer.graphics)),
+            Some(picture) if is_new => Some(writer.shared.pictures.get(&picture, writer.graphics)),
             Some(_) => before,
             None => None,
         };
@@ -229,7 +192,7 @@ impl Side {
         let shared = &*writer.shared;
         let stars = self.stars.as_ref();
         let milky_way = shared.milky_way.as_ref().filter(|_| stars.is_some());
-        let map = self.sky.as_ref().map(|sky| &sky.view).or(milky_way);
+        let map = self.sky.as_ref().map(SkyOnGpu::view).or(milky_way);
         let no_input = &shared.no_input;
         let sums = stars.and_then(SceneStars::sums).unwrap_or(no_input);
         let rows = bindings::ALL.iter().filter(|row| row.in_picture);
