@@ -17,7 +17,7 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<Panorama, SkyPictureFault> {
     let channels = match info.pixel_format {
         PixelFormat::L8 => 1,
         PixelFormat::RGB24 => 3,
-        PixelFormat::L16 | PixelFormat::CMYK32 => {
+        _ => {
             return Err(SkyPictureFault::broken(
                 "its colours are not those of a screen",
             ));
