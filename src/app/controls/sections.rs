@@ -129,6 +129,10 @@ pub const SECTIONS: &[Section] = sections! {
     folded "Sky" {
         "sky.mode" "Sky" Plain;
         "sky.brightness" "Brightness" Logarithmic(0.01, 100.0);
+        "sky.picture" "Picture's file" Plain;
+        "sky.frame" "Picture's axes" Plain;
+        "sky.mirror" "Picture mirrored" Plain;
+        "sky.stars" "Catalogue's stars" Plain;
         "sky.ra_deg" "Behind the hole: RA" Linear(0.0, 360.0);
         "sky.dec_deg" "Behind the hole: Dec" Linear(-90.0, 90.0);
         "sky.roll_deg" "Turn of the sky" Linear(-180.0, 180.0);

@@ -3,7 +3,7 @@
 use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
-use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
+use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, SkyMode, field};
 use lightfall_picture::{
     CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, frame_rate,
 };
@@ -67,6 +67,10 @@ pub struct SceneArgs {
     /// them in another order, and those of the HYG database and of Gaia's archive are known
     #[arg(long, value_name = "FILE")]
     pub stars: Option<PathBuf>,
+    /// Picture of the whole sky, twice as wide as high, in EXR, HDR, PNG or JPEG: short for --set
+    /// sky.mode=picture and sky.picture=FILE, applied after every --set
+    #[arg(long, value_name = "FILE")]
+    pub sky: Option<String>,
 }
 
 /// What `--dome` sets: a dome master whose hole is 30 degrees above the front of the spring line.
@@ -290,6 +294,7 @@ impl SceneArgs {
             cells: one(&self.cells, &after.cells)?,
             dome: self.dome || after.dome,
             stars: one(&self.stars, &after.stars)?,
+            sky: one(&self.sky, &after.sky)?,
         })
     }
 
@@ -319,6 +324,12 @@ impl SceneArgs {
             ),
             ("--samples", "picture.samples", self.samples.clone()),
             ("--cells", "picture.bypass", bypass.map(|on| on.to_string())),
+            (
+                "--sky",
+                "sky.mode",
+                self.sky.as_ref().map(|_| SkyMode::Picture.word().into()),
+            ),
+            ("--sky", "sky.picture", self.sky.clone()),
         ];
         let given = short
             .iter()

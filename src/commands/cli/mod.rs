@@ -72,6 +72,7 @@ pub enum Command {
         mut_arg("cells", |arg| arg.hide(true)),
         mut_arg("dome", |arg| arg.hide(true)),
         mut_arg("stars", |arg| arg.hide(true)),
+        mut_arg("sky", |arg| arg.hide(true)),
         after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes (outward, toward \
                             increasing theta, toward increasing phi), of any nonzero length. A header line is optional.\n\nThe output has one \
                             line per ray: outcome (sky, captured or unfinished); sky_*, the unit vector toward the source at \
