@@ -72,7 +72,8 @@ pub enum Command {
         // They concern pictures alone, and are accepted because they may precede the command.
         mut_arg("samples", |arg| arg.hide(true)),
         mut_arg("cells", |arg| arg.hide(true)),
-        mut_arg("stars", |arg| arg.hide(true))
+        mut_arg("stars", |arg| arg.hide(true)),
+        mut_arg("sky", |arg| arg.hide(true))
     )]
     Camera(CameraArgs),
     /// Write the captions of a journey or a lesson as subtitles.

@@ -286,6 +286,10 @@ fn what_keyframes_cannot_set_is_refused_with_its_line_and_the_reason() {
             "line 5: keyframe 2: set.camera.projection is refused: all pictures of a journey have one size and one projection",
         ),
         (
+            "set.sky.picture = \"sky.exr\"",
+            "line 5: keyframe 2: set.sky.picture is refused: the sky has one picture in the whole journey, that of the scene",
+        ),
+        (
             "set.picture.bypass = true",
             "line 5: keyframe 2: set.picture.bypass is refused: the window and --cells decide it for the whole journey",
         ),

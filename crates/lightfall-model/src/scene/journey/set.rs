@@ -102,6 +102,7 @@ fn why_not_set(field: &Field) -> Option<String> {
         | "picture.grid_width"
         | "picture.grid_height"
         | "camera.projection" => "all pictures of a journey have one size and one projection",
+        "sky.picture" => "the sky has one picture in the whole journey, that of the scene",
         "picture.bypass" => "the window and --cells decide it for the whole journey",
         _ => return None,
     };
