@@ -39,6 +39,7 @@ impl Variant {
         match self.entry {
             Entry::Timed => "timed.wgsl",
             Entry::TimedLight => "timed_light.wgsl",
+            _ if self.antialias && self.layers => "layers/geodesic.wgsl",
             _ if self.antialias => "antialias/geodesic.wgsl",
             _ => "geodesic.wgsl",
         }
@@ -180,10 +181,15 @@ impl Variant {
             mode => Choice::of(file("sky", mode.word())),
         };
         let mut choices = vec![Choice::of("sky.wgsl")];
-        choices.push(match self.sky {
-            SkyMode::Stars => Choice::of("stars/sums.wgsl"),
-            _ => Choice::of("stars/none.wgsl"),
-        });
+        let sums = Choice::of("stars/sums.wgsl");
+        match (self.sky, self.layers) {
+            (SkyMode::Stars, false) => choices.push(sums),
+            (SkyMode::Stars, true) => {
+                choices.push(Choice::of("layers/point_light.wgsl"));
+                choices.push(sums.renaming("point_light", "light_of_all_points"));
+            }
+            _ => choices.push(Choice::of("stars/none.wgsl")),
+        }
         choices.push(Choice::of(if self.reference_star {
             "sky/reference_star.wgsl"
         } else {
@@ -198,7 +204,7 @@ impl Variant {
         choices
     }
 
-    /// The files that colour a ray. A view that traces rays gives `fn light_along(photon: Photon)
+    /// The files that colour a ray. Layers have files of their own. A view that traces rays gives `fn light_along(photon: Photon)
     /// -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other gives `fn light_at(place:
     /// vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper left corner. Both return
     /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing.
@@ -208,6 +214,8 @@ impl Variant {
             view => view,
         };
         let file = match (self.has_medium(), view.shows_matter()) {
+            (true, _) if self.layers => "layers/medium.wgsl".into(),
+            _ if self.layers => "layers/colour.wgsl".into(),
             (true, _) => file("medium", view.word()),
             (false, true) => "view/no_matter.wgsl".into(),
             (false, false) => file("view", view.word()),
