@@ -118,7 +118,7 @@ pub fn every_variant() -> Vec<Variant> {
         antialias: false,
         ..*variant
     }));
-    // Layers have the same sky with the reference star as without it.
+    // Layers, whose sky has no file of its own.
     let layered = shining.iter().filter(|variant| !variant.reference_star);
     let layered: Vec<Variant> = layered
         .map(|variant| variant.with_layers())
