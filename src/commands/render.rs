@@ -11,7 +11,7 @@ mod writer;
 
 use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
 use self::cube::{drawn_at_once, files_of, is_of_side};
-use self::exr_options::{exr_form, exr_option};
+use self::exr_options::{channels, exr_form, exr_option};
 use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
@@ -68,11 +68,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         sequence,
     };
     pictures.check()?;
-    let channels = args
-        .aov
-        .clone()
-        .unwrap_or_default()
-        .of_scene(&pictures.scene);
+    let channels = channels(args, &pictures)?;
     let form = exr_form(args);
     check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
@@ -100,7 +96,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let first_scene = drawn_at_once(&first_scene);
-    let studio = match &tiling {
+    let mut studio = match &tiling {
         Some(tiling) => {
             let first_scene = picture::exposed(&first_scene)?;
             let options = tiling.options(options);
@@ -112,6 +108,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             Studio::with_options(&drawn_scene(&first_scene, format), size, options)?
         }
     };
+    studio.show_layers(channels.drawn_layers(form));
     let mut writer = PictureWriter {
         studio,
         format,

@@ -85,7 +85,7 @@ impl PictureWriter {
             let path = (file, tiling.bits);
             return Ok(large.write_png(&mut self.studio, path, &record)?);
         }
-        let rays = if self.channels.list().is_empty() {
+        let rays = if self.channels.of_rays().is_empty() {
             None
         } else {
             if self.rays.is_none() {
@@ -132,13 +132,14 @@ impl PictureWriter {
         } else {
             Vec::new()
         };
-        let samples = self.samples(scene, &depth)?;
+        let mut samples = self.samples(scene, &depth)?;
+        samples.extend(self.studio.layers(&self.channels)?);
         self.write_linear(scene, file, (light, samples))
     }
 
-    /// The numbers of the channels of a scene's picture, which has this depth.
+    /// The numbers of the channels of rays of a scene's picture, which has this depth.
     pub(super) fn samples(&mut self, scene: &Scene, depth: &[f32]) -> Result<Vec<Vec<f32>>, Stop> {
-        if self.channels.list().is_empty() {
+        if self.channels.of_rays().is_empty() {
             return Ok(Vec::new());
         }
         let rays = match &mut self.rays {
