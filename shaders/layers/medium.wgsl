@@ -16,6 +16,7 @@ struct Seen {
 const MIN_VISIBLE: f32 = 0.02;
 
 fn seen_along(photon: Photon) -> Seen {
+    begin_sheets();
     let seen = passage(photon);
     // Before any branch, because neighbouring rays must call it together.
     let sky_footprint = differences(seen.ray.sky);
@@ -24,7 +25,12 @@ fn seen_along(photon: Photon) -> Seen {
     // A ray that sees nothing behind the matter ends there.
     let behind = select(0.0, seen.transmission, is_sky || ends_dark);
     var light = seen.light;
-    var drawn = light_of_layer(LAYER_VOLUME, seen.light, 1.0 - behind);
+    let first = sheet_of(0u);
+    let later = sheet_of(1u);
+    let matter = vec4<f32>(seen.light, 1.0 - behind) - first - later;
+    var drawn = light_of_layer(LAYER_VOLUME, matter.rgb, matter.a);
+    drawn += light_of_layer(LAYER_HIT1, first.rgb, first.a);
+    drawn += light_of_layer(LAYER_HIT2, later.rgb, later.a);
     if is_sky {
         let arriving = seen.transmission * sky_light(seen.ray.sky, sky_shift(photon), sky_footprint);
         light += arriving;

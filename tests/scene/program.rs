@@ -87,6 +87,18 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --exr is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
+            "render -o a.png --layers",
+            "lightfall: --layers is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
+            "render -o a.png --bits 16 --alpha sky",
+            "lightfall: --alpha is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
+            "render -o a.exr --alpha sky --set view=redshift",
+            "lightfall: --alpha: only the view \"colour\" has light to divide, and view is \"redshift\"\n",
+        ),
+        (
             "render --frames 0..1 -o a.apng --aov depth --nan zero",
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),

@@ -16,9 +16,9 @@ impl Layers {
     pub const STARS: Self = Self(1 << 1);
     /// The first crossing of a disk without thickness.
     pub const HIT1: Self = Self(1 << 2);
-    /// The second one.
+    /// The second one; among jets, also further ones.
     pub const HIT2: Self = Self(1 << 3);
-    /// Matter with depth, with a disk without thickness among jets.
+    /// Matter with depth: a disk with thickness, and jets.
     pub const VOLUME: Self = Self(1 << 4);
     /// The hole, and rays that their method has not finished.
     pub const HOLE: Self = Self(1 << 5);

@@ -50,9 +50,12 @@ macro_rules! light {
     };
 }
 
+/// The number of layers.
+const COUNT: usize = 7;
+
 /// The layers, in the order in which they are drawn. All light of them is that of the picture, and the
 /// shares of all of them make a whole.
-static LAYERS: [Layer; 7] = [
+static LAYERS: [Layer; COUNT] = [
     Layer {
         source: Source::Traced(Layers::SKY),
         channels: light!("light_sky", "the sky, without stars that are points"),
@@ -66,20 +69,17 @@ static LAYERS: [Layer; 7] = [
     Layer {
         source: Source::Traced(Layers::HIT1),
         channels: light!("light_hit1", "the first crossing of the disk"),
-        is_in: |scene| scene.disk.enabled && !scene.has_medium(),
+        is_in: has_thin_disk,
     },
     Layer {
         source: Source::Traced(Layers::HIT2),
         channels: light!("light_hit2", "the second crossing of the disk"),
-        is_in: |scene| scene.disk.enabled && !scene.has_medium(),
+        is_in: has_thin_disk,
     },
     Layer {
         source: Source::Traced(Layers::VOLUME),
-        channels: light!(
-            "light_volume",
-            "matter with depth, and a disk without thickness among jets"
-        ),
-        is_in: |scene| scene.has_medium(),
+        channels: light!("light_volume", "matter with depth: a thick disk, and jets"),
+        is_in: Scene::has_medium,
     },
     Layer {
         source: Source::Foreground,
@@ -98,11 +98,15 @@ static LAYERS: [Layer; 7] = [
     },
 ];
 
+fn has_thin_disk(scene: &Scene) -> bool {
+    scene.disk.enabled && !scene.has_thick_disk()
+}
+
 impl Channels {
     /// These channels and those of all layers that any of the scenes has.
     #[must_use]
     pub fn with_layers_of(mut self, scenes: impl IntoIterator<Item = Scene>) -> Self {
-        let mut is_there = [false; LAYERS.len()];
+        let mut is_there = [false; COUNT];
         for scene in scenes {
             for (there, layer) in is_there.iter_mut().zip(&LAYERS) {
                 *there |= (layer.is_in)(&scene);
@@ -119,7 +123,7 @@ impl Channels {
         match form.transparent {
             Some(Transparent::Sky) => Some(Layers::ALL.without(Layers::SKY).without(Layers::STARS)),
             Some(Transparent::Hole) => Some(Layers::ALL.without(Layers::HOLE)),
-            // By the same shader, so that layers and the whole are equal to the last bit.
+            // By the shader of the layers, so that they add up to it, but for the rounding.
             None => (!self.layers().is_empty()).then_some(Layers::ALL),
         }
     }

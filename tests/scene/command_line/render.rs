@@ -107,9 +107,17 @@ fn the_form_of_an_exr_has_listed_words_and_is_for_channels_where_it_concerns_the
         (render.nan.as_deref(), render.exr.as_deref()),
         (Some("zero"), Some("piz"))
     );
+    let Command::Render(render) = read("lightfall render -o a.exr --layers --alpha hole") else {
+        panic!()
+    };
+    assert_eq!(
+        (render.layers, render.alpha.as_deref()),
+        (true, Some("hole"))
+    );
     for (option, words) in [
         ("--exr=pxr24", "zip, zips, piz, rle, none"),
         ("--nan=0", "keep, zero"),
+        ("--alpha=disk", "sky, hole"),
     ] {
         let error = refuse(&format!("lightfall render -o a.exr --aov sky {option}")).to_string();
         assert!(error.contains(words), "{error}");

@@ -25,6 +25,7 @@ impl Variant {
         });
         let mut choices: Vec<_> = files.into_iter().map(Choice::of).collect();
         choices.extend(self.sky_files());
+        choices.extend(self.sheet_files());
         choices.push(projection_file(self.projection));
         choices.push(Choice::of(if self.on_sides {
             "stars/sides/cube.wgsl"
@@ -169,6 +170,20 @@ impl Variant {
             neighbours,
             means,
         ]
+    }
+
+    /// The files of a disk without thickness among jets. In layers, a file between it and the matter
+    /// keeps what each crossing adds.
+    fn sheet_files(self) -> Vec<Choice> {
+        let sheet = Choice::of("medium/sheet.wgsl");
+        match (self.layers, self.disk && self.medium_nodes == 0) {
+            (false, _) => vec![sheet],
+            (true, true) => vec![
+                Choice::of("layers/sheet.wgsl"),
+                sheet.renaming("add_sheet", "add_whole_sheet"),
+            ],
+            (true, false) => vec![Choice::of("layers/no_sheet.wgsl")],
+        }
     }
 
     /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the
