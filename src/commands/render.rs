@@ -9,7 +9,9 @@ mod pictures;
 mod times;
 mod writer;
 
-use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
+use self::checks::{
+    check_files, check_memory, check_projection, check_shutter, check_space, check_times_file,
+};
 use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{channels, exr_form, exr_option};
 use self::large::tiling;
@@ -61,11 +63,13 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         check_times_file(file, &args.out)?;
     }
     let tiling = tiling(args, format, &mut scene)?;
+    check_shutter(args, &scene, tiling.as_ref())?;
     let pictures = Pictures {
         format,
         scene,
         file: args.out.clone(),
         sequence,
+        shutter: args.shutter,
     };
     pictures.check()?;
     let channels = channels(args, &pictures)?;
@@ -90,7 +94,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr,
+        light: format == Format::Exr || args.shutter.is_some(),
         stars,
         ..HeadlessOptions::default()
     };
@@ -116,6 +120,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         progress: tiling.map(|tiling| tiling.progress(&pictures)),
         channels,
         form,
+        moments: Vec::new(),
         rays: None,
         animation: None,
         still: None,
@@ -132,6 +137,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     for number in pictures.numbers() {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
+        writer.moments = pictures.moments(number);
         writer.write(&scene, &file)?;
         if format != Format::Apng {
             let name = || {

@@ -87,6 +87,15 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --exr is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
+            "render --frames 0..1 -o a.png --bits 16 --cells off --shutter 0.5",
+            "lightfall: --shutter: pictures with 16 bits, those of cubes and those that are drawn in tiles are not \
+             blurred\n",
+        ),
+        (
+            "render --frames 0..1 -o a.png --set view=order --shutter 0.5",
+            "lightfall: --shutter: the colours of the view \"order\" have meanings, and a mean of them has none\n",
+        ),
+        (
             "render -o a.png --layers",
             "lightfall: --layers is for pictures of linear light: the file's name must end in .exr\n",
         ),

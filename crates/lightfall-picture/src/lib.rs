@@ -17,6 +17,7 @@ mod open_exr;
 mod pass_time;
 mod png_rows;
 mod sequence;
+mod shutter;
 mod still;
 mod tiles;
 
@@ -34,5 +35,6 @@ pub use open_exr::{Linear, write_exr};
 pub use pass_time::PassTime;
 pub use png_rows::{PngBits, write_png_levels};
 pub use sequence::{Frames, Sequence, frame_rate};
+pub use shutter::{moments, shutter_time};
 pub use still::{Still, Studio, filled, render, render_with};
 pub use tiles::{MAX_UNTILED_PIXELS, Tiles};

@@ -6,7 +6,7 @@ use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
 use lightfall_picture::{
     CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, Transparent,
-    frame_rate,
+    frame_rate, shutter_time,
 };
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -152,6 +152,12 @@ pub struct RenderArgs {
     #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
           allow_negative_numbers = true)]
     pub fps: f64,
+    /// Blur what moves: the mean of the light while a shutter is open, from the moment of the frame on,
+    /// for this share of the time to the next one (0.5 is a film camera's 180 degrees), at --samples
+    /// moments, or at 16
+    #[arg(long, value_name = "SHARE", value_parser = shutter_time, requires = "frames",
+          allow_negative_numbers = true)]
+    pub shutter: Option<f64>,
     /// TOML file of the journey that --frames draws, or none: the camera stays, and only the disk
     /// moves [default: the built-in journey]
     #[arg(long, value_name = "FILE|none")]

@@ -195,6 +195,29 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
     Ok(())
 }
 
+/// Checks that pictures with a shutter show light and are drawn at once: tiles are not blurred.
+pub(super) fn check_shutter(
+    args: &RenderArgs,
+    scene: &Scene,
+    tiling: Option<&Tiling>,
+) -> Result<(), Stop> {
+    if args.shutter.is_none() {
+        return Ok(());
+    }
+    if tiling.is_some() {
+        return Err(Stop::refused(
+            "--shutter: pictures with 16 bits, those of cubes and those that are drawn in tiles are not blurred",
+        ));
+    }
+    if !scene.view.shows_light() {
+        return Err(Stop::refused(format!(
+            "--shutter: the colours of the view {:?} have meanings, and a mean of them has none",
+            scene.view.word()
+        )));
+    }
+    Ok(())
+}
+
 /// Checks that every picture can be written, before any work is done for one that could not be, and
 /// returns their format.
 pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {

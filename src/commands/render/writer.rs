@@ -24,6 +24,8 @@ pub(super) struct PictureWriter {
     pub(super) channels: Channels,
     /// The form of an .exr.
     pub(super) form: ExrForm,
+    /// The moments whose light is averaged for the next picture; none for a picture of one moment.
+    pub(super) moments: Vec<Scene>,
     /// Opened for the first picture that needs it.
     pub(super) rays: Option<PixelRays>,
     /// The last picture of a .png.
@@ -45,23 +47,55 @@ impl PictureWriter {
         }
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn)?;
-        self.studio.settle()?;
+        if self.moments.is_empty() {
+            self.studio.settle()?;
+        }
         // The file's preset holds the exposure that was metered.
         let mut scene = scene.clone();
         scene.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
         match self.format {
             Format::Png => {
-                let still = self.studio.picture()?;
+                let still = self.still(&drawn)?;
                 picture::write_png(file, &still, &self.studio.record(&scene))?;
                 self.still = Some(still);
                 Ok(())
             }
             Format::Apng => {
-                let still = self.studio.picture()?;
+                let still = self.still(&drawn)?;
                 Ok(self.add_frame(&scene, file, &still)?)
             }
             Format::Exr => self.write_exr(&scene, file),
         }
+    }
+
+    /// The picture of the scene that is shown, or that of the mean light of its moments.
+    fn still(&mut self, drawn: &Scene) -> Result<Still, PictureError> {
+        if self.moments.is_empty() {
+            return self.studio.picture();
+        }
+        // What is given is light with the foreground, and the mean of all moments.
+        let mut developed = drawn.clone();
+        developed.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
+        developed.picture.automatic_exposure = false;
+        (developed.probe.enabled, developed.picture.samples) = (false, 1);
+        let (light, _) = self.mean_light()?;
+        let halves = light.rgba.iter().flatten();
+        let bytes = halves.flat_map(|half| half.to_le_bytes()).collect();
+        self.studio.show(&developed)?;
+        self.studio.give_light(Some(bytes));
+        let still = self.studio.settle().and_then(|()| self.studio.picture());
+        self.studio.give_light(None);
+        still
+    }
+
+    /// The mean of the light and of the layers of the moments.
+    fn mean_light(&mut self) -> Result<(Captured, Vec<Vec<f32>>), PictureError> {
+        let moments: Vec<Scene> = self
+            .moments
+            .iter()
+            .map(|moment| drawn_scene(moment, self.format))
+            .collect();
+        self.studio.mean_light(&moments, &self.channels)
     }
 
     /// Draws a picture in tiles and writes it.
@@ -126,14 +160,23 @@ impl PictureWriter {
     }
 
     fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
-        let light = self.studio.light()?;
+        let own = if self.moments.is_empty() {
+            Some(self.studio.light()?)
+        } else {
+            None
+        };
+        // Depth and rays are those of the frame's own moment: their means would mean nothing.
         let depth = if self.channels.with_depth() {
             self.studio.depth()?
         } else {
             Vec::new()
         };
         let mut samples = self.samples(scene, &depth)?;
-        samples.extend(self.studio.layers(&self.channels)?);
+        let (light, layers) = match own {
+            Some(light) => (light, self.studio.layers(&self.channels)?),
+            None => self.mean_light()?,
+        };
+        samples.extend(layers);
         self.write_linear(scene, file, (light, samples))
     }
 

@@ -129,6 +129,27 @@ fn the_form_of_an_exr_has_listed_words_and_is_for_channels_where_it_concerns_the
 }
 
 #[test]
+fn a_shutter_is_open_for_a_part_of_the_time_between_frames() {
+    let Command::Render(render) =
+        read("lightfall render -o a.png --frames 0..9 --shutter 0.5 --samples 8")
+    else {
+        panic!()
+    };
+    assert_eq!(render.shutter, Some(0.5));
+    for share in ["0", "-0.5", "1.01", "nan", "180"] {
+        let line = format!("lightfall render -o a.png --frames 0..9 --shutter={share}");
+        let error = refuse(&line).to_string();
+        assert!(error.contains("above 0 and up to 1"), "{error}");
+    }
+    let comma = refuse("lightfall render -o a.png --frames 0..9 --shutter 0,5").to_string();
+    assert!(comma.contains("did you mean 0.5?"), "{comma}");
+    assert_eq!(
+        refuse("lightfall render -o a.png --shutter 0.5").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
+}
+
+#[test]
 fn only_an_adapter_that_is_a_program_is_said_to_need_a_graphics_card() {
     use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
     let said = |kind| commands::still_drawing([1920, 1080].into(), kind);
