@@ -69,7 +69,11 @@ fn assert_adds_up(name: &str, picture: &Linear) {
     }
     let mut shares = parts(picture, "A");
     shares.push(picture.values("cover_hole.Y"));
-    for (pixel, (sum, whole)) in sum(&shares).into_iter().zip(picture.values("A")).enumerate() {
+    for (pixel, (sum, whole)) in sum(&shares)
+        .into_iter()
+        .zip(picture.values("A"))
+        .enumerate()
+    {
         let off = rounding(1.0, shares.len());
         assert!(
             (sum - whole).abs() <= off,
@@ -89,12 +93,24 @@ fn assert_shines(name: &str, picture: &Linear, layer: &str, least: usize) {
 #[ignore = "needs a graphics adapter"]
 fn layers_add_up_to_the_picture() {
     for (number, expected) in [
-        (2, &["light_sky", "light_stars", "light_hit1", "light_hit2"][..]),
-        (9, &["light_sky", "light_stars", "light_hit1", "light_hit2"]),
-        (14, &["light_sky", "light_stars", "light_volume"]),
+        (
+            2,
+            &["light_sky", "light_stars", "light_hit1", "light_hit2"][..],
+        ),
+        (
+            9,
+            &["light_sky", "light_stars", "light_hit1", "light_hit2"][..],
+        ),
+        (14, &["light_sky", "light_stars", "light_volume"][..]),
         (
             18,
-            &["light_sky", "light_stars", "light_hit1", "light_hit2", "light_volume"],
+            &[
+                "light_sky",
+                "light_stars",
+                "light_hit1",
+                "light_hit2",
+                "light_volume",
+            ][..],
         ),
     ] {
         let mut scene = small(number);
