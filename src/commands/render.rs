@@ -13,7 +13,7 @@ use self::checks::{
     check_files, check_memory, check_projection, check_shutter, check_space, check_times_file,
 };
 use self::cube::{drawn_at_once, files_of, is_of_side};
-use self::exr_options::{channels, exr_form, exr_option};
+use self::exr_options::{channels, exr_form, exr_option, show_transparent};
 use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
@@ -62,8 +62,14 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
     }
+    show_transparent(args, format, &mut scene)?;
     let tiling = tiling(args, format, &mut scene)?;
     check_shutter(args, &scene, tiling.as_ref())?;
+    if args.alpha.is_some() && format == Format::Png && tiling.is_some() {
+        return Err(Stop::refused(
+            "--alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have them",
+        ));
+    }
     let pictures = Pictures {
         format,
         scene,
@@ -94,7 +100,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr || args.shutter.is_some(),
+        light: format == Format::Exr || args.shutter.is_some() || args.alpha.is_some(),
         stars,
         ..HeadlessOptions::default()
     };

@@ -101,7 +101,20 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
         ),
         (
             "render -o a.png --bits 16 --alpha sky",
-            "lightfall: --alpha is for pictures of linear light: the file's name must end in .exr\n",
+            "lightfall: --alpha: a .png has transparent parts only with 8 bits; an .exr has them in any case\n",
+        ),
+        (
+            "render -o a.png --cells on --alpha hole",
+            "lightfall: --cells on: a picture with transparent parts has no cells\n",
+        ),
+        (
+            "render --frames 0..1 -o a.apng --alpha sky",
+            "lightfall: --alpha: an .apng has no transparent parts; numbered .png and .exr pictures may have them\n",
+        ),
+        (
+            "render -o a.png --size 8194x64 --cells off --alpha sky",
+            "lightfall: --alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have \
+             them\n",
         ),
         (
             "render -o a.exr --alpha sky --set view=redshift",

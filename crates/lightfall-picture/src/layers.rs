@@ -117,6 +117,13 @@ impl Channels {
         self
     }
 
+    /// The share of the hole alone.
+    pub(super) fn of_hole() -> Self {
+        let mut channels = Self::default();
+        channels.add_layers(LAYERS.iter().skip(COUNT - 1));
+        channels
+    }
+
     /// What is drawn for the picture's own light: `None` if the picture's own shader draws it.
     #[must_use]
     pub fn drawn_layers(&self, form: ExrForm) -> Option<Layers> {

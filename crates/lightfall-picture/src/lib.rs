@@ -20,6 +20,7 @@ mod sequence;
 mod shutter;
 mod still;
 mod tiles;
+mod transparent;
 
 pub use animation::Animation;
 pub use brightness::brightness;
@@ -38,3 +39,4 @@ pub use sequence::{Frames, Sequence, frame_rate};
 pub use shutter::{moments, shutter_time};
 pub use still::{Still, Studio, filled, render, render_with};
 pub use tiles::{MAX_UNTILED_PIXELS, Tiles};
+pub use transparent::{TransparentStill, straight, write_transparent_png};

@@ -1,6 +1,6 @@
 //! Motion blur: the mean of the light at several moments while a shutter is open.
 
-use super::{Captured, Channels, PictureError, Sequence, Studio};
+use super::{Captured, Channels, PictureError, Sequence, Still, Studio};
 use exr::prelude::f16;
 use lightfall_core::numbers::number_with_comma;
 use lightfall_core::scene::Scene;
@@ -45,6 +45,24 @@ pub fn moments(sequence: &Sequence, scene: &Scene, number: u32, shutter: f64) ->
 }
 
 impl Studio {
+    /// The picture that a window would show of this light of a scene, in which the foreground is already.
+    /// The scene has the exposure that was metered. It stays shown.
+    ///
+    /// # Errors
+    /// Drawing failed.
+    pub fn developed(&mut self, scene: &Scene, light: &Captured) -> Result<Still, PictureError> {
+        let mut developed = scene.clone();
+        developed.picture.automatic_exposure = false;
+        (developed.probe.enabled, developed.picture.samples) = (false, 1);
+        let halves = light.rgba.iter().flatten();
+        let bytes = halves.flat_map(|half| half.to_le_bytes()).collect();
+        self.show(&developed)?;
+        self.give_light(Some(bytes));
+        let still = self.settle().and_then(|()| self.picture());
+        self.give_light(None);
+        still
+    }
+
     /// The mean of the light of some scenes, and of the numbers of the layers that the channels name. The
     /// studio must keep light. The last scene stays shown.
     ///

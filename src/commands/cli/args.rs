@@ -135,8 +135,8 @@ pub struct RenderArgs {
     /// Add the layers of the light to an .exr, see below: each is drawn as a picture of its own
     #[arg(long)]
     pub layers: bool,
-    /// Make the sky or the hole transparent in an .exr, for a background of your own: A is the share of
-    /// the rest, and R, G and B its light
+    /// Make the sky or the hole transparent, for a background of your own. In an .exr A is then the share
+    /// of the rest, and R, G and B are its light; a .png shows every pixel, without cells
     #[arg(long, value_name = "sky|hole", value_parser = Transparent::WORDS)]
     pub alpha: Option<String>,
     /// Compression of an .exr: zip has 16 rows in a block and zips has one; piz suits noisy light, rle is

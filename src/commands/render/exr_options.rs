@@ -1,12 +1,13 @@
-//! The options of `lightfall render` that an EXR picture alone can follow.
+//! The options of `lightfall render` that an EXR picture alone can follow, and what is transparent.
 
 use super::pictures::Pictures;
-use crate::commands::cli::RenderArgs;
+use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::stop::Stop;
-use lightfall_core::scene::View;
+use lightfall_core::scene::{Projection, Scene, View};
 use lightfall_picture::{
-    ChannelNames, Channels, ExrCompression, ExrForm, MissingValues, Transparent,
+    ChannelNames, Channels, ExrCompression, ExrForm, Format, MissingValues, PngBits, Transparent,
 };
+use lightfall_platform::log::say;
 
 /// The first of the given options that only an .exr can follow.
 pub(super) fn exr_option(args: &RenderArgs) -> Option<&'static str> {
@@ -14,7 +15,6 @@ pub(super) fn exr_option(args: &RenderArgs) -> Option<&'static str> {
     let options = [
         ("--aov", args.aov.is_some()),
         ("--layers", args.layers),
-        ("--alpha", args.alpha.is_some()),
         ("--exr", args.exr.is_some()),
     ];
     let given = options.into_iter().find(|(_, is_given)| *is_given);
@@ -32,6 +32,52 @@ pub(super) fn exr_form(args: &RenderArgs) -> ExrForm {
         transparent,
         compression: compression.unwrap_or_default(),
     }
+}
+
+/// Prepares a scene for a .png whose sky or hole is transparent, if that is asked for: it has no cells, 8
+/// bits, and is drawn at once.
+///
+/// # Errors
+/// The options ask for something else.
+pub(super) fn show_transparent(
+    args: &RenderArgs,
+    format: Format,
+    scene: &mut Scene,
+) -> Result<(), Stop> {
+    if args.alpha.is_none() || format == Format::Exr {
+        return Ok(());
+    }
+    if format == Format::Apng {
+        return Err(Stop::refused(
+            "--alpha: an .apng has no transparent parts; numbered .png and .exr pictures may have them",
+        ));
+    }
+    if args.scene.cells == Some(Cells::On) {
+        return Err(Stop::refused(
+            "--cells on: a picture with transparent parts has no cells",
+        ));
+    }
+    let has_other = [
+        (args.shutter.is_some(), "without --shutter"),
+        (
+            args.bits.as_deref() == Some(PngBits::Sixteen.word()),
+            "with 8 bits",
+        ),
+        (
+            scene.camera.projection == Projection::Cube,
+            "in another projection than the cube",
+        ),
+    ];
+    if let Some((_, what)) = has_other.into_iter().find(|(is_asked, _)| *is_asked) {
+        return Err(Stop::refused(format!(
+            "--alpha: a .png has transparent parts only {what}; an .exr has them in any case"
+        )));
+    }
+    if scene.has_cells() {
+        say("lightfall: a picture with transparent parts has no cells: every pixel is shown, as with --cells off");
+        scene.picture.bypass = true;
+    }
+    Ok(())
 }
 
 /// The channels of the pictures of an .exr. A layer that one picture of a sequence has is in all of them.

@@ -22,7 +22,7 @@ pub(super) struct PictureWriter {
     /// How many tiles are drawn.
     pub(super) progress: Option<Progress>,
     pub(super) channels: Channels,
-    /// The form of an .exr.
+    /// The form of an .exr, and what is transparent in a .png, too.
     pub(super) form: ExrForm,
     /// The moments whose light is averaged for the next picture; none for a picture of one moment.
     pub(super) moments: Vec<Scene>,
@@ -54,14 +54,19 @@ impl PictureWriter {
         let mut scene = scene.clone();
         scene.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
         match self.format {
+            Format::Png if self.form.transparent.is_some() => {
+                let still = self.studio.transparent_picture()?;
+                let record = self.studio.record(&scene);
+                Ok(picture::write_transparent_png(file, &still, &record)?)
+            }
             Format::Png => {
-                let still = self.still(&drawn)?;
+                let still = self.still()?;
                 picture::write_png(file, &still, &self.studio.record(&scene))?;
                 self.still = Some(still);
                 Ok(())
             }
             Format::Apng => {
-                let still = self.still(&drawn)?;
+                let still = self.still()?;
                 Ok(self.add_frame(&scene, file, &still)?)
             }
             Format::Exr => self.write_exr(&scene, file),
@@ -69,23 +74,13 @@ impl PictureWriter {
     }
 
     /// The picture of the scene that is shown, or that of the mean light of its moments.
-    fn still(&mut self, drawn: &Scene) -> Result<Still, PictureError> {
+    fn still(&mut self) -> Result<Still, PictureError> {
         if self.moments.is_empty() {
             return self.studio.picture();
         }
-        // What is given is light with the foreground, and the mean of all moments.
-        let mut developed = drawn.clone();
-        developed.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
-        developed.picture.automatic_exposure = false;
-        (developed.probe.enabled, developed.picture.samples) = (false, 1);
+        let exposed = self.studio.scene().clone();
         let (light, _) = self.mean_light()?;
-        let halves = light.rgba.iter().flatten();
-        let bytes = halves.flat_map(|half| half.to_le_bytes()).collect();
-        self.studio.show(&developed)?;
-        self.studio.give_light(Some(bytes));
-        let still = self.studio.settle().and_then(|()| self.studio.picture());
-        self.studio.give_light(None);
-        still
+        self.studio.developed(&exposed, &light)
     }
 
     /// The mean of the light and of the layers of the moments.
