@@ -74,7 +74,9 @@ pub(super) fn show_transparent(
         )));
     }
     if scene.has_cells() {
-        say("lightfall: a picture with transparent parts has no cells: every pixel is shown, as with --cells off");
+        say(
+            "lightfall: a picture with transparent parts has no cells: every pixel is shown, as with --cells off",
+        );
         scene.picture.bypass = true;
     }
     Ok(())
