@@ -12,6 +12,10 @@ struct Development {
     exposure: f32,
     // Share of the light that bloom spreads.
     bloom: f32,
+    // Middle and radius of the circle of a fisheye picture, in pixels of the whole picture. Around any
+    // other picture the circle is larger than every picture.
+    axis: vec2<f32>,
+    radius: f32,
 }
 
 @group(0) @binding(BINDING_DEVELOPMENT) var<uniform> development: Development;
@@ -28,7 +32,9 @@ fn develop(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     if HAS_BLOOM {
         let place = vec2<f32>(vec2<i32>(pixel) + development.origin) + 0.5;
         let wide = bloom_blurred(bloom, bloom_sampler, place / vec2<f32>(development.whole));
-        shown = mix(shown, wide, development.bloom);
+        // At the edge of the circle the light of the pixel has this factor already.
+        let coverage = clamp(development.radius - distance(place, development.axis) + 0.5, 0.0, 1.0);
+        shown = mix(shown, coverage * wide, development.bloom);
     }
     return vec4<f32>(toned(max(shown, vec3<f32>(0.0)) * development.exposure), seen.a);
 }

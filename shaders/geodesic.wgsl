@@ -8,5 +8,5 @@ fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = vec2<u32>(position.xy - scene.picture.corner);
     let place = place_of(pixel);
     let seen = light_at(place + scene.picture.offset);
-    return coverage(place) * vec4<f32>(bounded_light(seen.rgb + point_light(pixel)), seen.a);
+    return vec4<f32>(coverage(place) * bounded_light(seen.rgb + point_light(pixel)), seen.a);
 }

@@ -140,6 +140,8 @@ struct Picture {
     // The place of the line of sight, where the picture's middle is (0, 0) and its right and upper
     // edges are at 1.
     axis: vec2<f32>,
+    // The layers that are drawn, as bits (gpu/layers.rs). The shaders of layers alone read them.
+    layers: u32,
 }
 
 // Structs within a uniform must begin at multiples of 16 bytes. Those with vectors of three or four

@@ -72,7 +72,7 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
             sum += lights[lane + i];
         }
         let mean = sum / f32(rays);
-        let whole = vec4<f32>(bounded_light(mean.rgb + point_light(part)), mean.a);
-        textureStore(picture, pixel, coverage(place_of(part)) * whole);
+        let whole = coverage(place_of(part)) * bounded_light(mean.rgb + point_light(part));
+        textureStore(picture, pixel, vec4<f32>(whole, mean.a));
     }
 }

@@ -9,9 +9,11 @@ mod pictures;
 mod times;
 mod writer;
 
-use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
+use self::checks::{
+    check_files, check_memory, check_projection, check_shutter, check_space, check_times_file,
+};
 use self::cube::{drawn_at_once, files_of, is_of_side};
-use self::exr_options::{exr_form, exr_option};
+use self::exr_options::{channels, exr_form, exr_option, show_transparent};
 use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
@@ -64,19 +66,23 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
     }
+    show_transparent(args, format, &mut scene)?;
     let tiling = tiling(args, format, &mut scene)?;
+    check_shutter(args, &scene, tiling.as_ref())?;
+    if args.alpha.is_some() && format == Format::Png && tiling.is_some() {
+        return Err(Stop::refused(
+            "--alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have them",
+        ));
+    }
     let pictures = Pictures {
         format,
         scene,
         file: args.out.clone(),
         sequence,
+        shutter: args.shutter,
     };
     pictures.check()?;
-    let channels = args
-        .aov
-        .clone()
-        .unwrap_or_default()
-        .of_scene(&pictures.scene);
+    let channels = channels(args, &pictures)?;
     let form = exr_form(args);
     check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
@@ -104,13 +110,13 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr,
+        light: format == Format::Exr || args.shutter.is_some() || args.alpha.is_some(),
         stars,
         ..HeadlessOptions::default()
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let first_scene = drawn_at_once(&first_scene);
-    let studio = match &tiling {
+    let mut studio = match &tiling {
         Some(tiling) => {
             let first_scene = picture::exposed(&first_scene)?;
             let options = tiling.options(options);
@@ -122,6 +128,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             Studio::with_options(&drawn_scene(&first_scene, format), size, options)?
         }
     };
+    studio.show_layers(channels.drawn_layers(form));
     let mut writer = PictureWriter {
         studio,
         format,
@@ -129,6 +136,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         progress: tiling.map(|tiling| tiling.progress(&pictures)),
         channels,
         form,
+        moments: Vec::new(),
         rays: None,
         animation: None,
         still: None,
@@ -145,6 +153,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     for number in pictures.numbers() {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
+        writer.moments = pictures.moments(number);
         writer.write(&scene, &file)?;
         if format != Format::Apng {
             let name = || {

@@ -5,9 +5,11 @@ use exr::prelude::{
     read_first_flat_layer_from_file,
 };
 use glam::UVec2;
-use lightfall_core::scene::Scene;
+use lightfall_core::gpu::Layers;
+use lightfall_core::scene::{Scene, SkyMode, presets};
 use lightfall_picture::{
-    CHANNELS, ChannelNames, Channels, ExrCompression, ExrForm, Linear, MissingValues, write_exr,
+    CHANNELS, ChannelNames, Channels, ExrCompression, ExrForm, Linear, MissingValues, Transparent,
+    write_exr,
 };
 use lightfall_platform::storage::{PictureRecord, embedded_preset, preset_pieces};
 use lightfall_render::Captured;
@@ -27,14 +29,20 @@ fn number(at: usize) -> f32 {
     }
 }
 
-/// A picture of this scene with all channels.
+/// The share of the picture's shader on a pixel.
+fn share(at: usize) -> f32 {
+    (at % 5) as f32 / 4.0
+}
+
+/// A picture of this scene with all channels of rays.
 fn write(path: &Path, scene: &Scene, form: ExrForm, commit: Option<&str>) {
     let channels: Channels = "all".parse().unwrap();
     let pixels = (SIZE.x * SIZE.y) as usize;
     let samples = (0..channels.list().len())
         .map(|channel| (0..pixels).map(|pixel| number(channel + pixel)).collect())
         .collect();
-    let light = |at: usize| f16::from_f32(number(at).abs().min(6e4)).to_bits();
+    let half = |number: f32| f16::from_f32(number).to_bits();
+    let light = |at: usize| half(number(at).abs().min(6e4));
     let picture = Linear {
         scene,
         record: PictureRecord {
@@ -45,7 +53,7 @@ fn write(path: &Path, scene: &Scene, form: ExrForm, commit: Option<&str>) {
         light: Captured {
             size: SIZE,
             rgba: (0..pixels)
-                .map(|at| [light(at), light(at + 3), light(at + 5), 0])
+                .map(|at| [light(at), light(at + 3), light(at + 5), half(share(at))])
                 .collect(),
             depth: None,
         },
@@ -144,6 +152,84 @@ fn zero_takes_the_place_of_nan_alone() {
         assert!(channels[name] == expected);
         assert!(expected.contains(&f32::INFINITY.to_bits()));
     }
+}
+
+#[test]
+fn a_picture_is_opaque_unless_a_part_of_it_is_to_be_transparent() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.exr");
+    let alpha = |transparent| {
+        let form = ExrForm {
+            transparent,
+            ..ExrForm::default()
+        };
+        write(&file, &Scene::default(), form, None);
+        let (channels, _) = read(&file);
+        channels["A"].clone()
+    };
+    let bits = |share: f32| u32::from(f16::from_f32(share).to_bits());
+    assert!(alpha(None).into_iter().all(|found| found == bits(1.0)));
+    for transparent in Transparent::ALL {
+        let expected = (0..(SIZE.x * SIZE.y) as usize).map(|at| bits(share(at)));
+        assert!(
+            alpha(Some(transparent)).into_iter().eq(expected),
+            "{transparent:?}"
+        );
+    }
+}
+
+#[test]
+fn a_picture_has_the_layers_of_what_its_scene_shows() {
+    let layers = |scenes: Vec<Scene>| -> Vec<String> {
+        let channels = Channels::default().with_layers_of(scenes);
+        assert!(channels.of_rays().is_empty());
+        let names = channels.list().iter().map(|channel| channel.name);
+        let layers = names.filter_map(|name| name.strip_suffix(".A"));
+        let layers: Vec<String> = layers.map(str::to_owned).collect();
+        // Four channels for each layer, and the share of the hole.
+        assert_eq!(channels.list().len(), 4 * layers.len() + 1);
+        assert_eq!(channels.of_layers().len(), channels.list().len());
+        let last = channels.list().last().map(|channel| channel.name);
+        assert_eq!(last, Some("cover_hole.Y"));
+        layers
+    };
+    let preset = |number: &str| presets::find(number).unwrap().scene(&[]).unwrap();
+    let with_sky = |number: &str, mode: SkyMode| {
+        let mut scene = preset(number);
+        scene.sky.mode = mode;
+        scene
+    };
+    let of = |number: &str, mode: SkyMode| layers(vec![with_sky(number, mode)]);
+    let [sky, stars, hit1, hit2, volume, probe] = [
+        "light_sky",
+        "light_stars",
+        "light_hit1",
+        "light_hit2",
+        "light_volume",
+        "light_probe",
+    ];
+    assert_eq!(of("2", SkyMode::Stars), [sky, stars, hit1, hit2]);
+    assert_eq!(of("2", SkyMode::Procedural), [sky, hit1, hit2]);
+    assert_eq!(of("2", SkyMode::Off), [hit1, hit2]);
+    assert_eq!(of("14", SkyMode::Stars), [sky, stars, volume]);
+    assert_eq!(of("18", SkyMode::Off), [hit1, hit2, volume]);
+    assert_eq!(of("6", SkyMode::Off), [hit1, hit2, probe]);
+    // All frames of a sequence have the layers that any of them has.
+    let off = with_sky("2", SkyMode::Off);
+    let both = vec![off.clone(), with_sky("14", SkyMode::Grid)];
+    assert_eq!(layers(both), [sky, hit1, hit2, volume]);
+    // The picture's own shader draws what nobody asks to divide.
+    let plain: Channels = "all".parse().unwrap();
+    assert_eq!(plain.of_rays().len(), CHANNELS.len());
+    assert_eq!(plain.drawn_layers(ExrForm::default()), None);
+    let divided = plain.with_layers_of([off]);
+    assert_eq!(divided.drawn_layers(ExrForm::default()), Some(Layers::ALL));
+    let form = ExrForm {
+        transparent: Some(Transparent::Sky),
+        ..ExrForm::default()
+    };
+    let without_sky = Layers::ALL.without(Layers::SKY).without(Layers::STARS);
+    assert_eq!(divided.drawn_layers(form), Some(without_sky));
 }
 
 /// The lines of a preset that the header keeps.

@@ -46,6 +46,11 @@ impl Linear {
         }
     }
 
+    /// Whether there is a channel of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.channels.contains_key(name)
+    }
+
     /// A channel as numbers.
     pub fn values(&self, name: &str) -> Vec<f64> {
         self.channels[name].values_as_f32().map(f64::from).collect()

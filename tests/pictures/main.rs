@@ -10,6 +10,7 @@ mod embedded;
 mod exr_file;
 mod finite;
 mod idle;
+mod layers;
 mod light;
 mod linear;
 mod linear_matter;

@@ -4,7 +4,7 @@
 use exr::prelude::f16;
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::scene::{Camera, CubeLayout, Projection, Scene};
-use lightfall_picture::{HeadlessOptions, Studio, filled, joined_light};
+use lightfall_picture::{HeadlessOptions, Studio, filled, joined_light, render};
 use lightfall_render::Captured;
 
 /// A preset in linear light at one exposure, without bloom, whose disk is as sharp in every picture.
@@ -210,4 +210,33 @@ fn a_dome_is_black_outside_its_circle() {
         // The shadow is black.
         assert!(inside > 6000 && lit * 10 > inside * 8, "{lit} of {inside}");
     }
+}
+
+/// A bloom of a thousandth changes no pixel by more than a level or two, and the noise of the rounding
+/// another one. The circle cuts through the disk, whose light has no hole behind it there.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_edge_of_a_circle_is_as_bright_with_bloom_as_without() {
+    let mut scene = projected(&scene(2), Projection::Fisheye, [192, 192]);
+    scene.camera.fisheye_deg = 24.0;
+    let size = scene.picture.size();
+    let [without, with] = [0.0, 0.001].map(|bloom| {
+        let mut scene = scene.clone();
+        scene.picture.bloom = bloom;
+        render(&filled(&scene), size).unwrap()
+    });
+    let mut seen = 0;
+    for number in 0..size.x * size.y {
+        let at = UVec2::new(number % size.x, number / size.x);
+        let coverage = scene.camera.coverage(at.as_dvec2() + 0.5, size.as_dvec2());
+        let [plain, bright] = [&without, &with].map(|still| crate::pixel(still, at.x, at.y));
+        if coverage == 0.0 {
+            assert_eq!([plain, bright], [[0; 3]; 2], "{at}");
+        } else if coverage > 0.2 && coverage < 0.8 && plain.iter().any(|level| *level > 60) {
+            seen += 1;
+            let off = plain.iter().zip(bright).map(|(a, b)| a.abs_diff(b)).max();
+            assert!(off <= Some(4), "{at}: {plain:?} and {bright:?}");
+        }
+    }
+    assert!(seen > 10, "{seen} pixels at the edge show the disk");
 }

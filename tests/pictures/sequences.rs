@@ -1,6 +1,6 @@
 //! Sequences: a journey as numbered files.
 
-use super::linear::{Linear, program, small};
+use super::linear::{Linear, linear, program, small};
 use glam::UVec2;
 use lightfall_core::scene::resized;
 use lightfall_core::scene::{DiskStructure, ObserverKind, journey};
@@ -225,4 +225,61 @@ fn bundled_journeys_end_in_the_light() {
         }
     }
     assert!(ends >= 2);
+}
+
+/// The moments of a shutter lie in the middle of equal parts of its time. Half floats are rounded twice, and
+/// the smallest ones have a fixed step.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_shutter_shows_the_mean_of_its_moments() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = small(2);
+    scene.disk.structure = DiskStructure::Turbulent;
+    (scene.disk.time, scene.disk.rate) = (3.0, 20.0);
+    (scene.picture.antialias, scene.picture.automatic_exposure) = (false, false);
+    let sequence = "--journey none --frames 5..5 --fps 10 --shutter 0.8 --samples 2 --layers";
+    program(folder.path(), &scene, &format!("{sequence} -o m-#.exr"));
+    let mean = Linear::read(&folder.path().join("m-5.exr"));
+    // A frame takes 2 r_s/c of the disk's clock.
+    let moments = [0.2, 0.6].map(|share| {
+        let mut then = scene.clone();
+        then.disk.time += (5.0 + share) * 2.0;
+        linear(&then, "--layers")
+    });
+    let mut moved = 0;
+    for channel in ["R", "G", "B", "light_hit1.R", "light_sky.G", "cover_hole.Y"] {
+        let [first, second] = moments.each_ref().map(|moment| moment.values(channel));
+        for (pixel, mean) in mean.values(channel).into_iter().enumerate() {
+            let (first, second) = (first[pixel], second[pixel]);
+            let expected = 0.5 * (first + second);
+            // Times in f64 that differ by their last bit move the light by less than the rounding.
+            let off = 2.0 * expected / 1024.0 + 2.0_f64.powi(-23);
+            assert!(
+                (mean - expected).abs() <= off,
+                "{channel} of pixel {pixel}: {mean} and {expected}"
+            );
+            moved += usize::from((first - second).abs() > 0.1 * expected);
+        }
+    }
+    assert!(moved > 1000, "{moved} numbers change between the moments");
+}
+
+/// What is given back to the chain is the light that it drew: nothing but the rounding to 8 bits may differ.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_shutter_changes_nothing_where_nothing_moves() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = small(6);
+    (scene.disk.rate, scene.picture.bypass) = (0.0, true);
+    for (option, name) in [("", "plain"), ("--shutter 1 --samples 2", "open")] {
+        let options = format!("--journey none --frames 0..0 {option} -o {name}-#.png");
+        program(folder.path(), &scene, &options);
+    }
+    let [plain, open] = ["plain-0.png", "open-0.png"].map(|name| {
+        let file = folder.path().join(name);
+        image::open(file).unwrap().to_rgb8().into_raw()
+    });
+    let worst = plain.iter().zip(&open).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(worst <= Some(1), "{worst:?}");
+    assert!(plain.iter().any(|level| *level > 100), "nothing is seen");
 }

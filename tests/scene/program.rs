@@ -87,6 +87,40 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --exr is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
+            "render --frames 0..1 -o a.png --bits 16 --cells off --shutter 0.5",
+            "lightfall: --shutter: pictures with 16 bits, those of cubes and those that are drawn in tiles are not \
+             blurred\n",
+        ),
+        (
+            "render --frames 0..1 -o a.png --set view=order --shutter 0.5",
+            "lightfall: --shutter: the colours of the view \"order\" have meanings, and a mean of them has none\n",
+        ),
+        (
+            "render -o a.png --layers",
+            "lightfall: --layers is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
+            "render -o a.png --bits 16 --alpha sky",
+            "lightfall: --alpha: a .png has transparent parts only with 8 bits; an .exr has them in any case\n",
+        ),
+        (
+            "render -o a.png --cells on --alpha hole",
+            "lightfall: --cells on: a picture with transparent parts has no cells\n",
+        ),
+        (
+            "render --frames 0..1 -o a.apng --alpha sky",
+            "lightfall: --alpha: an .apng has no transparent parts; numbered .png and .exr pictures may have them\n",
+        ),
+        (
+            "render -o a.png --size 8194x64 --cells off --alpha sky",
+            "lightfall: --alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have \
+             them\n",
+        ),
+        (
+            "render -o a.exr --alpha sky --set view=redshift",
+            "lightfall: --alpha: only the view \"colour\" has light to divide, and view is \"redshift\"\n",
+        ),
+        (
             "render --frames 0..1 -o a.apng --aov depth --nan zero",
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),

@@ -3,8 +3,11 @@
 use super::shader::ShaderText;
 use super::shader::text::{add_constant, add_u32};
 use encase::ShaderType;
-use glam::{IVec2, UVec2};
-use lightfall_model::scene::{Scene, ToneCurve};
+use glam::{IVec2, UVec2, Vec2};
+use lightfall_model::scene::{Projection, Scene, ToneCurve};
+
+/// The radius of a circle that is larger than every picture, in pixels.
+const NO_CIRCLE: f32 = 1e9;
 
 /// Mirror of `Development` in shaders/develop.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
@@ -14,6 +17,8 @@ pub struct Development {
     pub origin: IVec2,
     pub exposure: f32,
     pub bloom: f32,
+    pub axis: Vec2,
+    pub radius: f32,
 }
 
 /// A shader that develops a picture.
@@ -28,11 +33,22 @@ pub struct Developer {
 impl Development {
     /// The numbers of a scene, of whose picture what is drawn begins at `origin`.
     pub fn new(scene: &Scene, origin: IVec2) -> Self {
+        let (camera, whole) = (&scene.camera, scene.picture.size());
+        let size = whole.max(UVec2::ONE).as_dvec2();
+        let (axis, radius) = match camera.projection {
+            Projection::Fisheye => (
+                camera.axis(size).as_vec2(),
+                camera.projection_numbers(size).y as f32,
+            ),
+            _ => (Vec2::ZERO, NO_CIRCLE),
+        };
         Self {
-            whole: scene.picture.size(),
+            whole,
             origin,
             exposure: scene.picture.exposure_ev.exp2() as f32,
             bloom: scene.picture.bloom as f32,
+            axis,
+            radius,
         }
     }
 }

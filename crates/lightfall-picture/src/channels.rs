@@ -1,5 +1,6 @@
-//! The data of a picture's rays: the channels that an EXR picture can have in addition to light.
+//! The channels that an EXR picture can have in addition to light: the data of its rays, and layers.
 
+use super::layers::Layer;
 use glam::{DVec2, Vec3};
 use lightfall_core::gpu::passages::{GivenRay, GpuPassage, PassageKernel};
 use lightfall_core::gpu::rays::RayKernel;
@@ -21,7 +22,7 @@ pub struct Channel {
     pub old_name: &'static str,
     /// What it means, with its unit.
     pub about: &'static str,
-    value: Value,
+    pub(super) value: Value,
 }
 
 impl Channel {
@@ -45,7 +46,7 @@ impl Channel {
 
 /// The source of a channel's numbers.
 #[derive(Clone, Copy, Debug)]
-enum Value {
+pub(super) enum Value {
     /// A number of the ray through the pixel's centre, if it has one.
     Number(fn(&TracedRay) -> Option<f64>),
     /// An integer of that ray.
@@ -54,6 +55,8 @@ enum Value {
     Matter(fn(&GpuPassage) -> Option<f64>),
     /// The foreground's depth.
     Depth,
+    /// A layer of the picture's light, which is drawn and not traced ray by ray.
+    Layer,
 }
 
 /// One of the means of where the light of matter with depth comes from.
@@ -68,7 +71,7 @@ fn depth(seen: &GpuPassage) -> f64 {
 }
 
 /// The trace of a ray, and the disk that it may meet.
-struct TracedRay<'a> {
+pub(super) struct TracedRay<'a> {
     trace: &'a Trace,
     disk: &'a Disk,
     profile: &'a Profile,
@@ -142,12 +145,14 @@ pub const CHANNELS: [Channel; 25] = channels![
         "change of the matter's light with twice the samples, as a share of it";
 ];
 
-/// A list of channels without duplicates, in the order of [`CHANNELS`].
+/// A list of channels without duplicates: those of rays, in the order of [`CHANNELS`], and then those of
+/// layers.
 #[derive(Clone, Debug, Default)]
 pub struct Channels {
     list: Vec<Channel>,
     /// The ones among them that only the word `all` means.
     unnamed: Vec<&'static str>,
+    layers: Vec<Layer>,
 }
 
 impl Channels {
@@ -155,6 +160,33 @@ impl Channels {
     #[must_use]
     pub fn list(&self) -> &[Channel] {
         &self.list
+    }
+
+    /// The channels among them whose numbers are those of rays: the first ones.
+    #[must_use]
+    pub fn of_rays(&self) -> &[Channel] {
+        &self.list[..self.list.len() - self.of_layers().len()]
+    }
+
+    /// The channels of layers: the last ones.
+    #[must_use]
+    pub fn of_layers(&self) -> &[Channel] {
+        let is_of_layer = |channel: &&Channel| matches!(channel.value, Value::Layer);
+        let count = self.list.iter().filter(is_of_layer).count();
+        &self.list[self.list.len() - count..]
+    }
+
+    /// The layers.
+    pub(super) fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// Adds the channels of layers.
+    pub(super) fn add_layers(&mut self, layers: impl Iterator<Item = &'static Layer>) {
+        for layer in layers {
+            self.layers.push(*layer);
+            self.list.extend(layer.channels);
+        }
     }
 
     /// The channels of a scene's pictures: `all` means those of matter with depth only where a scene
@@ -213,6 +245,7 @@ impl FromStr for Channels {
                 Ok(Self {
                     list: list.collect(),
                     unnamed: unnamed.map(|channel| channel.name).collect(),
+                    layers: Vec::new(),
                 })
             }
         }
@@ -244,8 +277,9 @@ impl PixelRays {
         })
     }
 
-    /// The channels' numbers for the scene's picture, in rows from the top, from the ray through
-    /// each pixel's centre, regardless of the foreground. Missing values are NaN. `depth` is the depth of the foreground, one number per pixel.
+    /// The numbers of the channels of rays for the scene's picture, in rows from the top, from the ray
+    /// through each pixel's centre, regardless of the foreground. Missing values are NaN. `depth` is the
+    /// depth of the foreground, one number per pixel.
     ///
     /// # Errors
     /// The GPU cannot trace the scene, or the device failed.
@@ -271,8 +305,8 @@ impl PixelRays {
     ) -> Result<Vec<Vec<f32>>, GpuError> {
         let width = scene.picture.width as usize;
         let [before, end] = [rows.start, rows.end].map(|row| row as usize * width);
-        let mut samples = vec![Vec::with_capacity(end - before); channels.list().len()];
-        let any = |is: fn(&Value) -> bool| channels.list().iter().any(|c| is(&c.value));
+        let mut samples = vec![Vec::with_capacity(end - before); channels.of_rays().len()];
+        let any = |is: fn(&Value) -> bool| channels.of_rays().iter().any(|c| is(&c.value));
         let traced = any(|value| matches!(value, Value::Number(_) | Value::Count(_)));
         let passed = any(|value| matches!(value, Value::Matter(_)));
         for first in (before..end).step_by(BATCH) {
@@ -295,7 +329,7 @@ impl PixelRays {
                     profile: &profile,
                 })
             };
-            for (channel, samples) in channels.list().iter().zip(&mut samples) {
+            for (channel, samples) in channels.of_rays().iter().zip(&mut samples) {
                 match channel.value {
                     Value::Number(number) => samples.extend(
                         seen().map(|seen| number(&seen).map_or(f32::NAN, |number| number as f32)),
@@ -311,6 +345,8 @@ impl PixelRays {
                     Value::Depth => {
                         samples.extend(&depth[batch.start - before..batch.end - before]);
                     }
+                    // None of the channels of rays.
+                    Value::Layer => {}
                 }
             }
         }

@@ -1,5 +1,5 @@
-//! The form of an EXR file, which does not change what the picture says: the names of its channels,
-//! what stands for a missing value, and the compression.
+//! The form of an EXR file: the names of its channels, what stands for a missing value, what is
+//! transparent, and the compression.
 
 use super::Channel;
 use exr::prelude::Compression;
@@ -12,6 +12,8 @@ pub struct ExrForm {
     pub names: ChannelNames,
     /// What stands where a ray has no number.
     pub missing: MissingValues,
+    /// What is transparent; `None` if the whole picture is opaque.
+    pub transparent: Option<Transparent>,
     /// How its pixels are compressed.
     pub compression: ExrCompression,
 }
@@ -43,6 +45,16 @@ words! {
         Keep = "keep",
         /// Zero, for programs that spread NaN over the picture.
         Zero = "zero",
+    }
+}
+
+words! {
+    /// What is transparent in a picture, for a background from another program.
+    pub enum Transparent {
+        /// The sky: the disk, the matter and the hole stay.
+        Sky = "sky",
+        /// The hole.
+        Hole = "hole",
     }
 }
 

@@ -4,7 +4,7 @@ use super::exr_rows::{rows_at_once, write_exr_rows};
 use super::file::PictureError;
 use super::headless::drawable;
 use super::png_rows::{PngBits, TakeRows, write_png_rows};
-use super::{Linear, PixelRays, Studio, Tiles};
+use super::{Channels, Linear, PixelRays, Studio, Tiles};
 use glam::UVec2;
 use lightfall_core::scene::{Part, Scene};
 use lightfall_platform::storage::{PictureRecord, WriteError, scratch_file};
@@ -109,37 +109,31 @@ impl LargePicture<'_> {
         Ok(())
     }
 
-    /// Draws the picture and returns its light and, if asked for, the depth of its foreground. The studio
-    /// must keep light.
+    /// Draws the picture and returns its light and, where the channels have them, the depth of its
+    /// foreground and the numbers of its layers. The studio must keep light.
     ///
     /// # Errors
     /// Drawing failed.
     pub fn light(
         &mut self,
         studio: &mut Studio,
-        with_depth: bool,
-    ) -> Result<(Captured, Vec<f32>), PictureError> {
-        let size = self.tiles.whole();
-        let (mut rgba, mut depth) = (Vec::new(), Vec::new());
+        channels: &Channels,
+    ) -> Result<(Captured, Vec<f32>, Vec<Vec<f32>>), PictureError> {
+        let mut drawn = Rows::of(channels);
         for strip in self.tiles.strips() {
-            let (mut rows, mut depths) = (Vec::new(), Vec::new());
+            let mut rows = Rows::of(channels);
             for part in strip {
-                studio.show_part(self.scene, part)?;
-                place(&mut rows, &studio.light()?.rgba, (part, size.x, 1));
-                if with_depth {
-                    place(&mut depths, &studio.depth()?, (part, size.x, 1));
-                }
+                rows.draw(studio, (self.scene, part), channels)?;
                 (self.on_tile)();
             }
-            rgba.append(&mut rows);
-            depth.append(&mut depths);
+            drawn.append(rows);
         }
         let light = Captured {
-            size,
-            rgba,
+            size: self.tiles.whole(),
+            rgba: drawn.light,
             depth: None,
         };
-        Ok((light, depth))
+        Ok((light, drawn.depth, drawn.layers))
     }
 
     /// Draws the light of all tiles to a temporary file beside `path`.
@@ -186,39 +180,34 @@ impl LargePicture<'_> {
     ) -> Result<(), PictureError> {
         let whole = self.tiles.whole();
         let at_once = rows_at_once(picture.form.compression);
-        let with_depth = picture.channels.with_depth();
+        let channels = picture.channels;
         write_exr_rows(path, whole, picture, |take| {
             // The rows that are drawn and not written yet, from `top` on.
-            let (mut top, mut light, mut depth) = (0, Vec::new(), Vec::new());
+            let (mut top, mut waiting) = (0, Rows::of(channels));
             for strip in self.tiles.strips() {
-                let (mut rows, mut depths) = (Vec::new(), Vec::new());
+                let mut rows = Rows::of(channels);
                 let (mut drawn, mut tiles) = (top, 0);
                 for part in strip {
-                    studio.show_part(self.scene, part)?;
-                    place(&mut rows, &studio.light()?.rgba, (part, whole.x, 1));
-                    if with_depth {
-                        place(&mut depths, &studio.depth()?, (part, whole.x, 1));
-                    }
+                    rows.draw(studio, (self.scene, part), channels)?;
                     drawn = part.origin.y + part.size.y;
                     tiles += 1;
                 }
-                light.append(&mut rows);
-                depth.append(&mut depths);
+                waiting.append(rows);
                 while top < drawn && (drawn - top >= at_once || drawn == whole.y) {
                     let size = UVec2::new(whole.x, at_once.min(drawn - top));
-                    let pixels = size.as_usizevec2().element_product();
+                    let next = waiting.take(size.as_usizevec2().element_product());
                     let block = Captured {
                         size,
-                        rgba: light.drain(..pixels).collect(),
+                        rgba: next.light,
                         depth: None,
                     };
-                    let depths: Vec<f32> = depth.drain(..pixels.min(depth.len())).collect();
-                    let samples = match &mut rays {
+                    let mut samples = match &mut rays {
                         Some(rays) => rays
-                            .sample_rows(self.scene, picture.channels, top..top + size.y, &depths)
+                            .sample_rows(self.scene, channels, top..top + size.y, &next.depth)
                             .map_err(|error| PictureError::Draw(error.to_string()))?,
                         None => Vec::new(),
                     };
+                    samples.extend(next.layers);
                     take(block, samples)?;
                     top += size.y;
                 }
@@ -229,6 +218,69 @@ impl LargePicture<'_> {
             }
             Ok(())
         })
+    }
+}
+
+/// What is drawn of some rows of a picture: their light, and where the channels have them the depth of the
+/// foreground and the numbers of layers.
+struct Rows {
+    light: Vec<[u16; 4]>,
+    depth: Vec<f32>,
+    layers: Vec<Vec<f32>>,
+}
+
+impl Rows {
+    /// No rows of a picture with these channels.
+    fn of(channels: &Channels) -> Self {
+        Self {
+            light: Vec::new(),
+            depth: Vec::new(),
+            layers: vec![Vec::new(); channels.of_layers().len()],
+        }
+    }
+
+    /// Draws a part of a scene's picture into the rows of its strip.
+    fn draw(
+        &mut self,
+        studio: &mut Studio,
+        (scene, part): (&Scene, Part),
+        channels: &Channels,
+    ) -> Result<(), PictureError> {
+        let columns = scene.picture.width;
+        studio.show_part(scene, part)?;
+        place(&mut self.light, &studio.light()?.rgba, (part, columns, 1));
+        if channels.with_depth() {
+            place(&mut self.depth, &studio.depth()?, (part, columns, 1));
+        }
+        for (rows, numbers) in self.layers.iter_mut().zip(studio.layers(channels)?) {
+            place(rows, &numbers, (part, columns, 1));
+        }
+        Ok(())
+    }
+
+    /// Adds rows below.
+    fn append(&mut self, mut below: Self) {
+        self.light.append(&mut below.light);
+        self.depth.append(&mut below.depth);
+        for (rows, below) in self.layers.iter_mut().zip(&mut below.layers) {
+            rows.append(below);
+        }
+    }
+
+    /// Takes the first pixels away.
+    fn take(&mut self, pixels: usize) -> Self {
+        fn first<T>(rows: &mut Vec<T>, pixels: usize) -> Vec<T> {
+            rows.drain(..pixels.min(rows.len())).collect()
+        }
+        Self {
+            light: first(&mut self.light, pixels),
+            depth: first(&mut self.depth, pixels),
+            layers: self
+                .layers
+                .iter_mut()
+                .map(|rows| first(rows, pixels))
+                .collect(),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Pictures of linear light as OpenEXR files, with the data of their rays in
 //! [`CHANNELS`](super::CHANNELS).
 
-use super::exr_form::{ChannelNames, ExrForm, MissingValues};
+use super::exr_form::{ChannelNames, ExrForm, MissingValues, Transparent};
 use super::file::PictureError;
 use super::{Channels, exr_header};
 use exr::meta::attribute::{Chromaticities, EnvironmentMap};
@@ -15,7 +15,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 /// The meaning of the light's own channels, by name.
-fn about_light() -> [(&'static str, String); 4] {
+fn about_light(transparent: Option<Transparent>) -> [(&'static str, String); 4] {
     let about = |part: &str| {
         format!(
             "linear {part}, primaries of Rec. 709, before bloom, exposure and tone mapping; white paper is 1, the disk \
@@ -23,8 +23,19 @@ fn about_light() -> [(&'static str, String); 4] {
              6500 K (docs/PICTURES.md)"
         )
     };
-    let opacity = "the share of the pixel within a fisheye picture's circle, by which RGB is multiplied; else 1 everywhere, \
-                   because dark things hide what is behind them";
+    let opacity = match transparent {
+        None => {
+            "the share of the pixel within a fisheye picture's circle, by which RGB is multiplied; else 1 everywhere, \
+             because dark things hide what is behind them"
+        }
+        Some(Transparent::Sky) => {
+            "the share of the pixel's rays that do not end at the sky, whose light RGB leaves out; RGB is multiplied by it \
+             (premultiplied)"
+        }
+        Some(Transparent::Hole) => {
+            "the share of the pixel's rays that do not end in the hole; RGB is multiplied by it (premultiplied)"
+        }
+    };
     [
         ("R", about("red")),
         ("G", about("green")),
@@ -135,17 +146,18 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
     let coverage = |number: usize| {
         let pixel = DVec2::new((number % columns) as f64, (number / columns) as f64);
         let place = pixel + 0.5 + DVec2::new(0.0, picture.first_row.into());
-        f16::from_f64(camera.coverage(place, whole.as_dvec2()))
+        camera.coverage(place, whole.as_dvec2())
     };
     let light = ["R", "G", "B", "A"]
         .into_iter()
         .enumerate()
         .map(|(i, name)| {
             let value = |(number, pixel): (usize, &[u16; 4])| {
-                if name == "A" {
-                    coverage(number)
-                } else {
-                    f16::from_bits(pixel[i])
+                let own = f16::from_bits(pixel[i]);
+                match (name, picture.form.transparent) {
+                    ("A", None) => f16::from_f64(coverage(number)),
+                    ("A", Some(_)) => f16::from_f64(coverage(number) * own.to_f64()),
+                    _ => own,
                 }
             };
             let values = picture.light.rgba.iter().enumerate().map(value);
@@ -195,7 +207,7 @@ fn attributes(picture: &Linear) -> LayerAttributes {
     );
     texts.extend(preset_pieces(&picture.record.preset));
     texts.extend(
-        about_light()
+        about_light(picture.form.transparent)
             .into_iter()
             .chain(units)
             .map(|(name, about)| (format!("lightfall.unit.{name}"), about)),

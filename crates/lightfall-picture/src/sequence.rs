@@ -139,7 +139,13 @@ impl Sequence {
     /// that of frame 0. It is not checked.
     #[must_use]
     pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
-        let seconds = f64::from(number) / self.fps;
+        self.scene_at(scene, f64::from(number))
+    }
+
+    /// The same at any moment, in frames: between two frames, too.
+    #[must_use]
+    pub fn scene_at(&self, scene: &Scene, frame: f64) -> Scene {
+        let seconds = frame / self.fps;
         let mut next = scene.clone();
         match &self.journey {
             Some(journey) => {

@@ -5,11 +5,12 @@ use super::headless::{HeadlessOptions, MAX_UPDATES, drawable, headless};
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::{RenderAdapterInfo, RenderDevice};
+use lightfall_core::gpu::Layers;
 use lightfall_core::scene::{Frame, Part, Scene, fit};
 use lightfall_platform::storage::PictureRecord;
 use lightfall_render::{
-    Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, GivenLight,
-    NEAR_PLANE, Pinned, Printed, Prints, StarCatalogue,
+    Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, DrawnLayers,
+    GivenLight, NEAR_PLANE, Pinned, Printed, Prints, StarCatalogue,
 };
 use wgpu::DeviceType;
 
@@ -41,7 +42,7 @@ pub struct Studio {
     output: Handle<Image>,
     size: UVec2,
     /// The part of the scene's picture that is drawn; `None` for all of it.
-    part: Option<Part>,
+    pub(super) part: Option<Part>,
 }
 
 /// The bytes that were read back.
@@ -124,6 +125,19 @@ impl Studio {
             return;
         }
         world.insert_resource(light.map_or_else(GivenLight::default, GivenLight::new));
+    }
+
+    /// Draws these layers of the scene's light from the next frame on, with their share of each pixel in
+    /// alpha; with `None` all light, as a window shows it. The view must be `colour`.
+    pub fn show_layers(&mut self, layers: Option<Layers>) {
+        let mut drawn = self.app.world_mut().resource_mut::<DrawnLayers>();
+        drawn.set_if_neq(DrawnLayers(layers));
+    }
+
+    /// The layers that are shown.
+    #[must_use]
+    pub fn shown_layers(&self) -> Option<Layers> {
+        self.app.world().resource::<DrawnLayers>().0
     }
 
     /// The levels of a file of what is shown. The studio must make them.

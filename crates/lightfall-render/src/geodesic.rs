@@ -23,6 +23,7 @@ use crate::comparison::{
 };
 use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
+use crate::drawn_layers::DrawnLayers;
 use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::error_map::ShownErrorMap;
 use crate::given_light::traces_light;
@@ -55,6 +56,7 @@ pub(super) fn plugin(app: &mut App) {
                 .chain()
                 .run_if(
                     resource_changed::<DrawnScene>
+                        .or_eager(resource_changed::<DrawnLayers>)
                         .or_eager(resource_changed::<Comparison>)
                         .or_eager(resource_changed::<LiveShaders>),
                 )
@@ -103,7 +105,7 @@ fn write_scenes(
     errors: Res<ShownErrorMap>,
     request: Option<Res<DrawRequest>>,
     mut drawn: ResMut<DrawnFrame>,
-    (catalogue, limits): (Res<StarCatalogue>, Res<DetailLimits>),
+    (catalogue, limits, layers): (Res<StarCatalogue>, Res<DetailLimits>, Res<DrawnLayers>),
     (If(difference), If(antialias)): (If<Res<DifferencePass>>, If<Res<AntialiasPass>>),
     (If(mut kernels), If(mut lists)): (If<ResMut<ComputePipelines>>, If<ResMut<StarLists>>),
     If(mut pass): If<ResMut<GeodesicPass>>,
@@ -128,6 +130,7 @@ fn write_scenes(
         || compared.is_changed()
         || limits.is_changed();
     let request = request.as_deref();
+    pass.current.draw_layers(layers.0.unwrap_or_default());
     if !pass.changed {
         drawn.is_present = true;
         pass.set_frame(&scene, &compared, request, &graphics);

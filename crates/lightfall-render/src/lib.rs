@@ -32,6 +32,7 @@ mod detail_limits;
 mod develop;
 mod device;
 mod draw_request;
+mod drawn_layers;
 mod drawn_scene;
 mod error_map;
 mod full_screen_pass;
@@ -62,6 +63,7 @@ pub use cost_report::{cost_report, cost_rows};
 pub use detail_limits::DetailLimits;
 pub use device::render_plugin;
 pub use draw_request::AlwaysDraw;
+pub use drawn_layers::DrawnLayers;
 pub use drawn_scene::{CurrentFrame, CurrentScene, DrawnScene, FrameScene, draw_scene_in_frame};
 pub use error_map::AwaitErrorMap;
 pub use given_light::GivenLight;
@@ -97,7 +99,11 @@ impl Plugin for LightfallRenderPlugin {
             .init_resource::<DetailLimits>()
             .init_resource::<RestingFrames>()
             .init_resource::<GivenLight>()
-            .add_plugins(ExtractResourcePlugin::<DetailLimits>::default())
+            .init_resource::<DrawnLayers>()
+            .add_plugins((
+                ExtractResourcePlugin::<DetailLimits>::default(),
+                ExtractResourcePlugin::<DrawnLayers>::default(),
+            ))
             .add_plugins(comparison::plugin);
         scene_camera::insert(app, self.target.clone());
         app.add_plugins((

@@ -13,6 +13,7 @@
 use crate::camera_markers::SceneCamera;
 use crate::comparison::ComparedScene;
 use crate::draw_request::{AlwaysDraw, DrawRequest};
+use crate::drawn_layers::DrawnLayers;
 use crate::drawn_scene::{DrawnPart, DrawnScene};
 use crate::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::geodesic::{GeodesicShaders, select_geodesic_shaders};
@@ -67,6 +68,7 @@ fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
 /// drawn yet, and states the progress.
 fn wake_scene_camera(
     (scene, part, given): (Res<DrawnScene>, Res<DrawnPart>, Res<GivenLight>),
+    layers: Res<DrawnLayers>,
     compared: Res<ComparedScene>,
     shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
@@ -78,6 +80,7 @@ fn wake_scene_camera(
     // A system that writes the scene may have written the values it already had.
     let changed = request.part != part.drawn()
         || given.is_changed()
+        || layers.is_changed()
         || scene.is_changed() && request.scene != scene.without_presentation()
         || compared.is_changed() && request.compared != compared.without_presentation()
         || resting.is_changed()

@@ -5,7 +5,8 @@ use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, SkyMode, field};
 use lightfall_picture::{
-    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, frame_rate,
+    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, Transparent,
+    frame_rate, shutter_time,
 };
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -170,6 +171,13 @@ pub struct RenderArgs {
     /// What stands in these channels where a ray has no number: keep writes NaN, zero writes 0
     #[arg(long, value_name = "keep|zero", requires = "aov", value_parser = MissingValues::WORDS)]
     pub nan: Option<String>,
+    /// Add the layers of the light to an .exr, see below: each is drawn as a picture of its own
+    #[arg(long)]
+    pub layers: bool,
+    /// Make the sky or the hole transparent, for a background of your own. In an .exr A is then the share
+    /// of the rest, and R, G and B are its light; a .png shows every pixel, without cells
+    #[arg(long, value_name = "sky|hole", value_parser = Transparent::WORDS)]
+    pub alpha: Option<String>,
     /// Compression of an .exr: zip has 16 rows in a block and zips has one; piz suits noisy light, rle is
     /// quick, none is none. All of them keep every bit [default: zip]
     #[arg(long, value_name = "zip|zips|piz|rle|none", value_parser = ExrCompression::WORDS)]
@@ -183,6 +191,12 @@ pub struct RenderArgs {
     #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
           allow_negative_numbers = true)]
     pub fps: f64,
+    /// Blur what moves: the mean of the light while a shutter is open, from the moment of the frame on,
+    /// for this share of the time to the next one (0.5 is a film camera's 180 degrees), at --samples
+    /// moments, or at 16
+    #[arg(long, value_name = "SHARE", value_parser = shutter_time, requires = "frames",
+          allow_negative_numbers = true)]
+    pub shutter: Option<f64>,
     /// TOML file of the journey that --frames draws, or CSV file of a camera path, or none: the camera
     /// stays, and only the disk moves [default: the built-in journey]
     #[arg(long, value_name = "FILE|none")]
@@ -213,6 +227,9 @@ fn about_pictures() -> String {
     format!(
         "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN, or 0 with --nan zero. Groups \
          are sky, hit1, hit2 and medium; all means those of medium where the scene has matter with depth. The second name is that of version 0.1, and means the same channel:\n{channels}\n\
+         Layers (--layers), each with R, G, B and its share of the pixel as A: light_sky, light_stars, light_hit1 and light_hit2 (the \
+         crossings of the disk), light_volume (matter with depth) and light_probe, as far as the scene has them. Their light adds up to that \
+         of the picture. cover_hole.Y is the share of the hole, and all shares add up to 1.\n\n\
          Names of a sequence: the last run of # is replaced by the frame's number with at least as many digits, as in fall-####.png; fall.png \
          gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \
          metered. At the end, a command line that makes a video is printed.\n\n\

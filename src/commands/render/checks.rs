@@ -25,6 +25,10 @@ const TILES_BYTES: u64 = 400 << 20;
 const STRIP_PIXEL_BYTES: u64 = 24;
 const STRIP_ROWS: u64 = 512;
 
+/// The numbers of layers exist as those of a strip and as those that wait to be written, which grow by
+/// doubling.
+const COPIES_IN_STRIP: u64 = 3;
+
 /// The rows that are encoded at once exist as the numbers of rays, as channels, as blocks and as compressed
 /// blocks: so many copies of their values, measured and rounded up.
 const COPIES_OF_VALUES: u64 = 6;
@@ -45,11 +49,13 @@ pub(super) fn check_memory(
         Format::Png | Format::Apng => 0,
     };
     let per_pixel = VALUE_BYTES * values as u64;
+    let of_layers = VALUE_BYTES * channels.of_layers().len() as u64;
     let columns = u64::from(drawn.x);
     let needed = if tiling.is_some_and(|tiling| tiling.tiles.count() > 1) {
         let rows = u64::from(picture::rows_at_once(form.compression));
         let encoded = COPIES_OF_VALUES * columns * rows * per_pixel;
-        PROGRAM_BYTES + TILES_BYTES + columns * STRIP_ROWS * STRIP_PIXEL_BYTES + encoded
+        let of_strip = STRIP_PIXEL_BYTES + COPIES_IN_STRIP * of_layers;
+        PROGRAM_BYTES + TILES_BYTES + columns * STRIP_ROWS * of_strip + encoded
     } else {
         PROGRAM_BYTES + columns * u64::from(drawn.y) * (PIXEL_BYTES + per_pixel)
     };
@@ -67,7 +73,7 @@ pub(super) fn check_memory(
         0 => (String::new(), ""),
         _ => (
             format!(" with {values} channels"),
-            " or fewer channels with --aov",
+            " or fewer channels with --aov and --layers",
         ),
     };
     match free_memory() {
@@ -185,6 +191,29 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
         return Err(Stop::refused(
             "-o: {face} stands for files of pictures: the name must end in .png or .exr",
         ));
+    }
+    Ok(())
+}
+
+/// Checks that pictures with a shutter show light and are drawn at once: tiles are not blurred.
+pub(super) fn check_shutter(
+    args: &RenderArgs,
+    scene: &Scene,
+    tiling: Option<&Tiling>,
+) -> Result<(), Stop> {
+    if args.shutter.is_none() {
+        return Ok(());
+    }
+    if tiling.is_some() {
+        return Err(Stop::refused(
+            "--shutter: pictures with 16 bits, those of cubes and those that are drawn in tiles are not blurred",
+        ));
+    }
+    if !scene.view.shows_light() {
+        return Err(Stop::refused(format!(
+            "--shutter: the colours of the view {:?} have meanings, and a mean of them has none",
+            scene.view.word()
+        )));
     }
     Ok(())
 }

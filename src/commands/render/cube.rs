@@ -97,10 +97,12 @@ impl PictureWriter {
                 levels.push(large.levels(&mut self.studio)?);
                 continue;
             }
-            let (light, depth) = large.light(&mut self.studio, self.channels.with_depth())?;
+            let (light, depth, layers) = large.light(&mut self.studio, &self.channels)?;
             drop(on_tile);
             lights.push(light);
-            channels.push(self.samples(&own, &depth)?);
+            let mut samples = self.samples(&own, &depth)?;
+            samples.extend(layers);
+            channels.push(samples);
         }
         if self.format == Format::Exr {
             let light = picture::joined_light(layout, &lights);

@@ -55,6 +55,8 @@ pub(super) struct Pictures {
     pub(super) scene: Scene,
     pub(super) file: PathBuf,
     pub(super) sequence: Option<Sequence>,
+    /// How long the shutter is open, as a share of the time from one frame to the next.
+    pub(super) shutter: Option<f64>,
 }
 
 impl Pictures {
@@ -79,6 +81,16 @@ impl Pictures {
         }
     }
 
+    /// The moments whose light is averaged for the picture of this number; none without a shutter.
+    pub(super) fn moments(&self, number: u32) -> Vec<Scene> {
+        match (&self.sequence, self.shutter) {
+            (Some(sequence), Some(shutter)) => {
+                picture::moments(sequence, &self.scene, number, shutter)
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// Checks that all pictures can be drawn, so that the last frame of a long sequence does not
     /// come as a surprise.
     pub(super) fn check(&self) -> Result<(), Stop> {
@@ -87,8 +99,12 @@ impl Pictures {
             return Ok(());
         };
         for number in self.numbers() {
-            Drawable::new(sequence.scene(&self.scene, number))
-                .map_err(|reason| Stop::refused(format!("frame {number}: {reason}")))?;
+            // The frame's own moment, and the one at which the shutter closes.
+            let closing = self.shutter.map(|open| f64::from(number) + open);
+            for moment in [Some(f64::from(number)), closing].into_iter().flatten() {
+                Drawable::new(sequence.scene_at(&self.scene, moment))
+                    .map_err(|reason| Stop::refused(format!("frame {number}: {reason}")))?;
+            }
         }
         Ok(())
     }

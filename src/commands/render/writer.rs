@@ -22,8 +22,10 @@ pub(super) struct PictureWriter {
     /// How many tiles are drawn.
     pub(super) progress: Option<Progress>,
     pub(super) channels: Channels,
-    /// The form of an .exr.
+    /// The form of an .exr, and what is transparent in a .png, too.
     pub(super) form: ExrForm,
+    /// The moments whose light is averaged for the next picture; none for a picture of one moment.
+    pub(super) moments: Vec<Scene>,
     /// Opened for the first picture that needs it.
     pub(super) rays: Option<PixelRays>,
     /// The last picture of a .png.
@@ -45,23 +47,50 @@ impl PictureWriter {
         }
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn)?;
-        self.studio.settle()?;
+        if self.moments.is_empty() {
+            self.studio.settle()?;
+        }
         // The file's preset holds the exposure that was metered.
         let mut scene = scene.clone();
         scene.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
         match self.format {
+            Format::Png if self.form.transparent.is_some() => {
+                let still = self.studio.transparent_picture()?;
+                let record = self.studio.record(&scene);
+                Ok(picture::write_transparent_png(file, &still, &record)?)
+            }
             Format::Png => {
-                let still = self.studio.picture()?;
+                let still = self.still()?;
                 picture::write_png(file, &still, &self.studio.record(&scene))?;
                 self.still = Some(still);
                 Ok(())
             }
             Format::Apng => {
-                let still = self.studio.picture()?;
+                let still = self.still()?;
                 Ok(self.add_frame(&scene, file, &still)?)
             }
             Format::Exr => self.write_exr(&scene, file),
         }
+    }
+
+    /// The picture of the scene that is shown, or that of the mean light of its moments.
+    fn still(&mut self) -> Result<Still, PictureError> {
+        if self.moments.is_empty() {
+            return self.studio.picture();
+        }
+        let exposed = self.studio.scene().clone();
+        let (light, _) = self.mean_light()?;
+        self.studio.developed(&exposed, &light)
+    }
+
+    /// The mean of the light and of the layers of the moments.
+    fn mean_light(&mut self) -> Result<(Captured, Vec<Vec<f32>>), PictureError> {
+        let moments: Vec<Scene> = self
+            .moments
+            .iter()
+            .map(|moment| drawn_scene(moment, self.format))
+            .collect();
+        self.studio.mean_light(&moments, &self.channels)
     }
 
     /// Draws a picture in tiles and writes it.
@@ -85,7 +114,7 @@ impl PictureWriter {
             let path = (file, tiling.bits);
             return Ok(large.write_png(&mut self.studio, path, &record)?);
         }
-        let rays = if self.channels.list().is_empty() {
+        let rays = if self.channels.of_rays().is_empty() {
             None
         } else {
             if self.rays.is_none() {
@@ -126,19 +155,29 @@ impl PictureWriter {
     }
 
     fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
-        let light = self.studio.light()?;
+        let own = if self.moments.is_empty() {
+            Some(self.studio.light()?)
+        } else {
+            None
+        };
+        // Depth and rays are those of the frame's own moment: their means would mean nothing.
         let depth = if self.channels.with_depth() {
             self.studio.depth()?
         } else {
             Vec::new()
         };
-        let samples = self.samples(scene, &depth)?;
+        let mut samples = self.samples(scene, &depth)?;
+        let (light, layers) = match own {
+            Some(light) => (light, self.studio.layers(&self.channels)?),
+            None => self.mean_light()?,
+        };
+        samples.extend(layers);
         self.write_linear(scene, file, (light, samples))
     }
 
-    /// The numbers of the channels of a scene's picture, which has this depth.
+    /// The numbers of the channels of rays of a scene's picture, which has this depth.
     pub(super) fn samples(&mut self, scene: &Scene, depth: &[f32]) -> Result<Vec<Vec<f32>>, Stop> {
-        if self.channels.list().is_empty() {
+        if self.channels.of_rays().is_empty() {
             return Ok(Vec::new());
         }
         let rays = match &mut self.rays {

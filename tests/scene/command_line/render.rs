@@ -107,15 +107,44 @@ fn the_form_of_an_exr_has_listed_words_and_is_for_channels_where_it_concerns_the
         (render.nan.as_deref(), render.exr.as_deref()),
         (Some("zero"), Some("piz"))
     );
+    let Command::Render(render) = read("lightfall render -o a.exr --layers --alpha hole") else {
+        panic!()
+    };
+    assert_eq!(
+        (render.layers, render.alpha.as_deref()),
+        (true, Some("hole"))
+    );
     for (option, words) in [
         ("--exr=pxr24", "zip, zips, piz, rle, none"),
         ("--nan=0", "keep, zero"),
+        ("--alpha=disk", "sky, hole"),
     ] {
         let error = refuse(&format!("lightfall render -o a.exr --aov sky {option}")).to_string();
         assert!(error.contains(words), "{error}");
     }
     assert_eq!(
         refuse("lightfall render -o a.exr --nan zero").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
+}
+
+#[test]
+fn a_shutter_is_open_for_a_part_of_the_time_between_frames() {
+    let Command::Render(render) =
+        read("lightfall render -o a.png --frames 0..9 --shutter 0.5 --samples 8")
+    else {
+        panic!()
+    };
+    assert_eq!(render.shutter, Some(0.5));
+    for share in ["0", "-0.5", "1.01", "nan", "180"] {
+        let line = format!("lightfall render -o a.png --frames 0..9 --shutter={share}");
+        let error = refuse(&line).to_string();
+        assert!(error.contains("above 0 and up to 1"), "{error}");
+    }
+    let comma = refuse("lightfall render -o a.png --frames 0..9 --shutter 0,5").to_string();
+    assert!(comma.contains("did you mean 0.5?"), "{comma}");
+    assert_eq!(
+        refuse("lightfall render -o a.png --shutter 0.5").kind(),
         ErrorKind::MissingRequiredArgument
     );
 }

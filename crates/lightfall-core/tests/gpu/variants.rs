@@ -121,6 +121,17 @@ pub fn every_variant() -> Vec<Variant> {
         antialias: false,
         ..*variant
     }));
+    // Layers, whose sky has no file of its own.
+    let layered = shining.iter().filter(|variant| !variant.reference_star);
+    let layered: Vec<Variant> = layered
+        .map(|variant| variant.with_layers())
+        .filter(|variant| variant.layers)
+        .collect();
+    all.extend(layered.iter().map(|variant| Variant {
+        antialias: false,
+        ..*variant
+    }));
+    all.extend(layered);
     let plain = |variant: &&Variant| variant.effects == Effects::default();
     let refined: Vec<Variant> = all
         .iter()
@@ -181,13 +192,16 @@ fn matter_with_depth() -> Vec<Variant> {
                     (SkyMode::Stars, LimbDarkening::ElectronScattering)
                 };
                 let picture = Variant::picture(&scene);
+                let layered = picture.with_layers();
                 all.extend([
                     picture,
+                    layered,
                     Variant::timed_light(&scene),
                     Variant::passages(&scene, false),
                     Variant::passages(&scene, true),
                 ]);
                 all.extend(picture.refined());
+                all.extend(layered.refined());
                 all.extend(Variant::star_kernels(&scene));
                 all.extend(View::ALL.map(|view| {
                     Variant::picture(&Scene {

@@ -27,6 +27,7 @@ pub struct GpuPicture {
     pub footprint: f32,
     pub middle_solid_angle: f32,
     pub axis: Vec2,
+    pub layers: u32,
 }
 
 impl GpuPicture {
@@ -47,6 +48,8 @@ impl GpuPicture {
             footprint: f64::from(frame.samples.max(1)).sqrt().recip() as f32,
             middle_solid_angle: scene.camera.solid_angle(scene.camera.axis(whole), whole) as f32,
             axis: scene.camera.axis_across(whole).as_vec2(),
+            // The passes write those that they draw.
+            layers: 0,
         }
     }
 }

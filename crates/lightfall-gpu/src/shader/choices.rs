@@ -25,6 +25,7 @@ impl Variant {
         });
         let mut choices: Vec<_> = files.into_iter().map(Choice::of).collect();
         choices.extend(self.sky_files());
+        choices.extend(self.sheet_files());
         choices.push(projection_file(self.projection));
         choices.push(Choice::of(if self.on_sides {
             "stars/sides/cube.wgsl"
@@ -39,6 +40,7 @@ impl Variant {
         match self.entry {
             Entry::Timed => "timed.wgsl",
             Entry::TimedLight => "timed_light.wgsl",
+            _ if self.antialias && self.layers => "layers/geodesic.wgsl",
             _ if self.antialias => "antialias/geodesic.wgsl",
             _ => "geodesic.wgsl",
         }
@@ -170,6 +172,20 @@ impl Variant {
         ]
     }
 
+    /// The files of a disk without thickness among jets. In layers, a file between it and the matter
+    /// keeps what each crossing adds.
+    fn sheet_files(self) -> Vec<Choice> {
+        let sheet = Choice::of("medium/sheet.wgsl");
+        match (self.layers, self.disk && self.medium_nodes == 0) {
+            (false, _) => vec![sheet],
+            (true, true) => vec![
+                Choice::of("layers/sheet.wgsl"),
+                sheet.renaming("add_sheet", "add_whole_sheet"),
+            ],
+            (true, false) => vec![Choice::of("layers/no_sheet.wgsl")],
+        }
+    }
+
     /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the
     /// sky and its background turns directions from the disk's frame.
     fn sky_files(self) -> Vec<Choice> {
@@ -180,11 +196,15 @@ impl Variant {
             mode => Choice::of(file("sky", mode.word())),
         };
         let mut choices = vec![Choice::of("sky.wgsl")];
-        choices.push(Choice::of(if self.star_points {
-            "stars/sums.wgsl"
-        } else {
-            "stars/none.wgsl"
-        }));
+        let sums = Choice::of("stars/sums.wgsl");
+        match (self.star_points, self.layers) {
+            (true, false) => choices.push(sums),
+            (true, true) => {
+                choices.push(Choice::of("layers/point_light.wgsl"));
+                choices.push(sums.renaming("point_light", "light_of_all_points"));
+            }
+            (false, _) => choices.push(Choice::of("stars/none.wgsl")),
+        }
         choices.push(Choice::of(if self.reference_star {
             "sky/reference_star.wgsl"
         } else {
@@ -202,13 +222,16 @@ impl Variant {
     /// The files that colour a ray. A view that traces rays gives `fn light_along(photon: Photon)
     /// -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other gives `fn light_at(place:
     /// vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper left corner. Both return
-    /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing.
+    /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing; of
+    /// layers, their share of the ray.
     fn view_files(self) -> Vec<String> {
         let view = match self.view {
             View::Unfinished => View::Colour,
             view => view,
         };
         let file = match (self.has_medium(), view.shows_matter()) {
+            (true, _) if self.layers => "layers/medium.wgsl".into(),
+            _ if self.layers => "layers/colour.wgsl".into(),
             (true, _) => file("medium", view.word()),
             (false, true) => "view/no_matter.wgsl".into(),
             (false, false) => file("view", view.word()),

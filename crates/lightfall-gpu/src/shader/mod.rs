@@ -92,6 +92,8 @@ pub struct Variant {
     pub follow_beyond_hits: bool,
     /// Whether the picture's fragment also writes the traits for the search for edges.
     pub antialias: bool,
+    /// Whether only the layers are drawn that the scene's numbers name, with their share of each pixel.
+    pub layers: bool,
 }
 
 /// The smallest transmission of the disk for which a ray is followed beyond crossings: half of an
@@ -207,6 +209,16 @@ impl Variant {
                 || transmission.powi(2) > MIN_TRANSMISSION,
             // The number of pixels that one dispatch refines is not known in advance.
             antialias: scene.picture.antialias && !marks && scene.budget_ratio() <= 1.0,
+            layers: false,
+        }
+    }
+
+    /// The shader that draws layers of this picture, if its view has any.
+    #[must_use]
+    pub fn with_layers(self) -> Self {
+        Self {
+            layers: self.entry == Entry::Picture && self.view == View::Colour,
+            ..self
         }
     }
 

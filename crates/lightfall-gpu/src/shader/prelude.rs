@@ -7,6 +7,7 @@ use super::{Entry, Variant};
 use crate::antialias;
 use crate::error_map::ErrorMap;
 use crate::jet;
+use crate::layers::Layers;
 use crate::medium;
 use crate::starlight;
 use crate::stars::add_star_constants;
@@ -57,6 +58,9 @@ impl Variant {
         }
         if self.sky.is_map() {
             starlight::add_constants(&mut text);
+        }
+        if self.layers {
+            Layers::add_constants(&mut text);
         }
         if !self.view.properties().traces {
             ErrorMap::add_constants(&mut text);

@@ -4,6 +4,7 @@
 use super::pipeline::Destination;
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
+use crate::drawn_layers::DrawnLayers;
 use crate::drawn_scene::DrawnScene;
 use crate::live_shaders::LiveShaders;
 use bevy::prelude::*;
@@ -100,7 +101,7 @@ const NAME: &str = "lightfall/geodesic.wgsl";
 pub(crate) fn select_geodesic_shaders(
     mut commands: Commands,
     scene: Res<DrawnScene>,
-    compared: Res<ComparedScene>,
+    (compared, layers): (Res<ComparedScene>, Res<DrawnLayers>),
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,
     mut live: ResMut<LiveShaders>,
@@ -108,9 +109,12 @@ pub(crate) fn select_geodesic_shaders(
     let chain = Chain::of(&scene).comparing(&compared);
     // What is remembered here changes no shader.
     let live = live.bypass_change_detection();
-    let mut select = |scene: &Scene| {
+    let mut select = |scene: &Scene, has_layers: bool| {
         let mut variant = Variant::picture(scene);
         variant.antialias &= chain.antialias;
+        if has_layers {
+            variant = variant.with_layers();
+        }
         let destination = if chain.difference {
             Destination::Light
         } else {
@@ -139,8 +143,8 @@ pub(crate) fn select_geodesic_shaders(
             stars: stars.into_iter().map(compute).collect(),
         }
     };
-    let current = select(&scene);
-    let pinned = compared.drawn().map(|(pinned, _)| select(pinned));
+    let current = select(&scene, layers.0.is_some());
+    let pinned = compared.drawn().map(|(pinned, _)| select(pinned, false));
     commands.insert_resource(GeodesicShaders {
         current,
         pinned,

@@ -14,7 +14,7 @@ use lightfall_core::gpu::bindings::{
     self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, STAR_SUMS, STARLIGHT,
 };
 use lightfall_core::gpu::{
-    Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
+    Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, Layers, SkyTexture, max_pixels_of_call,
 };
 use lightfall_core::optics::sky_picture::SkyPicture;
 use lightfall_core::scene::{Frame, Part, SkyMode};
@@ -34,6 +34,8 @@ pub(super) struct Side {
     corner: UVec2,
     /// The part of the picture that is drawn; `None` for all of it.
     part: Option<Part>,
+    /// The layers that are drawn. Only a shader of layers reads them.
+    layers: Layers,
     /// Most pixels that one call draws.
     max_pixels_of_call: u32,
 }
@@ -230,6 +232,11 @@ impl Side {
         self.stars.as_ref()
     }
 
+    /// Draws these layers from the next frame on.
+    pub(super) fn draw_layers(&mut self, layers: Layers) {
+        self.layers = layers;
+    }
+
     /// Goes on to another one of the frames that are averaged.
     pub(super) fn set_frame(
         &mut self,
@@ -248,7 +255,10 @@ impl Side {
     fn picture(&self, scene: &Drawable, request: Option<&DrawRequest>) -> GpuPicture {
         let frame = Frame::of(scene).with_part(self.part).at_corner(self.corner);
         let frame = request.map_or(frame, |request| request.next_sample(frame));
-        GpuPicture::new(scene, &frame)
+        GpuPicture {
+            layers: self.layers.bits(),
+            ..GpuPicture::new(scene, &frame)
+        }
     }
 
     /// The pipeline and the bindings to draw with, and the most pixels of one call, once a scene has

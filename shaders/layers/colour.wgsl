@@ -1,0 +1,65 @@
+// The view `colour` in layers: of a ray's light what comes from the layers that are drawn, with their share
+// of the ray in alpha. view/colour.wgsl adds up the light of all of them in the same way.
+//
+// Gives: light_along, seen_along.
+
+// As in view/colour.wgsl.
+const MIN_COVER: f32 = 0.5;
+const MIN_VISIBLE: f32 = 0.02;
+
+struct Seen {
+    // The light of all layers, whichever are drawn: all of them are to be refined in the same pixels.
+    light: vec3<f32>,
+    // That of the layers that are drawn, and their share of the ray.
+    drawn: vec4<f32>,
+    // The visible outcome and hits.
+    outcome: u32,
+    hit_count: u32,
+}
+
+fn seen_along(photon: Photon) -> Seen {
+    let ray = trace(photon);
+    // Before any branch, because neighbouring rays must call these together.
+    let footprints = hit_footprints(ray);
+    let sky_footprint = differences(ray.sky);
+    var light = vec3<f32>(0.0);
+    var drawn = vec4<f32>(0.0);
+    var transmission = 1.0;
+    var hit_count = 0u;
+    var visible = 1.0;
+    var layer = LAYER_HIT1;
+    var hit = ray.hits[0];
+    var footprint = footprints.first;
+    for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
+        let r = length(hit.position);
+        let through = disk_transmission(r);
+        let arriving = transmission * disk_light(photon, hit, footprint);
+        layer = select(LAYER_HIT1, LAYER_HIT2, i > 0u);
+        light += arriving;
+        drawn += light_of_layer(layer, arriving, transmission * (1.0 - through));
+        let counts = disk_cover(r) > MIN_COVER && visible > MIN_VISIBLE;
+        hit_count += select(0u, 1u, counts);
+        visible *= select(1.0, scene.disk.transmission, counts);
+        transmission *= through;
+        if transmission == 0.0 {
+            break;
+        }
+        hit = ray.hits[1];
+        footprint = footprints.second;
+    }
+    let ends_dark = ray.outcome == OUTCOME_CAPTURED || ray.outcome == OUTCOME_UNFINISHED;
+    if ray.outcome == OUTCOME_SKY {
+        let arriving = transmission * sky_light(ray.sky, sky_shift(photon), sky_footprint);
+        light += arriving;
+        drawn += light_of_layer(LAYER_SKY, arriving, transmission);
+    } else {
+        // What nobody follows behind the last crossing of the disk belongs to the disk.
+        drawn += light_of_layer(select(layer, LAYER_HOLE, ends_dark), vec3<f32>(0.0), transmission);
+    }
+    let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
+    return Seen(light, drawn, outcome, hit_count);
+}
+
+fn light_along(photon: Photon) -> vec4<f32> {
+    return seen_along(photon).drawn;
+}
