@@ -216,7 +216,7 @@ impl LargePicture<'_> {
                     let samples = match &mut rays {
                         Some(rays) => rays
                             .sample_rows(self.scene, picture.channels, top..top + size.y, &depths)
-                            .map_err(|error| PictureError::Draw(error.to_string()))?,
+                            .map_err(PictureError::from)?,
                         None => Vec::new(),
                     };
                     take(block, samples)?;

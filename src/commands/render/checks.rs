@@ -71,7 +71,7 @@ pub(super) fn check_memory(
         ),
     };
     match free_memory() {
-        Some(free) if free < needed => Err(Stop::failed(format!(
+        Some(free) if free < needed => Err(Stop::try_again(format!(
             "a picture of {} x {} pixels{channels} needs about {} of memory, and {} are free; give a smaller \
              --size{or_fewer}",
             size.x,
@@ -111,7 +111,7 @@ pub(super) fn check_space(
     };
     let (_, file) = pictures.get(pictures.numbers().start);
     match storage::free_space(&file) {
-        Some(free) if free < needed => Err(Stop::failed(format!(
+        Some(free) if free < needed => Err(Stop::try_again(format!(
             "{}: {what} of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
              give a smaller --size, or another folder",
             file.display(),
