@@ -3,19 +3,23 @@
 mod checks;
 mod cube;
 mod exr_options;
+mod farm;
 mod large;
 mod notes;
 mod pictures;
+mod resume;
 mod times;
 mod writer;
 
 use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
 use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{exr_form, exr_option};
+use self::farm::{check_farm, is_run, note_frame, nothing_to_draw, numbers, open_manifest};
 use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
+use self::resume::left_to_draw;
 use self::times::{TIMED_FRAMES, print_times, write_times};
 use self::writer::PictureWriter;
 use super::cli::RenderArgs;
@@ -29,6 +33,8 @@ use lightfall_core::scene::{Projection, Scene, resized};
 use lightfall_picture as picture;
 use lightfall_picture::{Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
+use lightfall_platform::termination;
+use std::time::Instant;
 
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
@@ -39,9 +45,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
     let sequence = args
         .frames
-        .map(|frames| sequence(args, frames, &scene))
+        .as_ref()
+        .map(|frames| sequence(args, frames.ends(), &scene))
         .transpose()?;
-    let format = check_files(&args.out, sequence.as_ref())?;
+    let numbers = numbers(args);
+    let format = check_files(&args.out, sequence.as_ref(), &numbers)?;
+    check_farm(args, format)?;
     let mut scene = with_size(args, scene);
     scene
         .check()
@@ -61,11 +70,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         check_times_file(file, &args.out)?;
     }
     let tiling = tiling(args, format, &mut scene)?;
-    let pictures = Pictures {
+    let mut pictures = Pictures {
         format,
         scene,
         file: args.out.clone(),
         sequence,
+        numbers,
     };
     pictures.check()?;
     let channels = args
@@ -74,6 +84,17 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         .unwrap_or_default()
         .of_scene(&pictures.scene);
     let form = exr_form(args);
+    let stars = stars(&args.scene)?;
+    let mut manifest = open_manifest(args, &pictures)?;
+    termination::watch();
+    if args.farm.resume {
+        let (form, manifest) = ((&channels, form), manifest.as_mut());
+        pictures.numbers = left_to_draw(&pictures, form, tiling.as_ref(), stars, manifest)?;
+    }
+    if pictures.numbers.is_empty() {
+        say(format_args!("lightfall: {}", nothing_to_draw(args)));
+        return Ok(());
+    }
     check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
         check_space(&pictures, &channels, tiling)?;
@@ -90,7 +111,6 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_unseen_stars(args, &pictures.scene);
     note_darkness(&pictures.scene);
     let suspects = note_unused_options(args, &pictures);
-    let stars = stars(&args.scene)?;
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
@@ -98,7 +118,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         stars,
         ..HeadlessOptions::default()
     };
-    let (first_scene, _) = pictures.get(pictures.numbers().start);
+    let (first_scene, _) = pictures.get(pictures.first());
     let first_scene = drawn_at_once(&first_scene);
     let studio = match &tiling {
         Some(tiling) => {
@@ -123,7 +143,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         animation: None,
         still: None,
         frames: pictures.numbers().len() as u32,
-        fps: args.frames.map(|_| args.fps),
+        fps: args.frames.as_ref().map(|_| args.fps),
     };
     let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
@@ -135,7 +155,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     for number in pictures.numbers() {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
+        let began = Instant::now();
         writer.write(&scene, &file)?;
+        if let Some(manifest) = &mut manifest {
+            let (files, time) = (files_of(&file), began.elapsed());
+            note_frame(manifest, (number, &files), time, &writer.studio)?;
+        }
         if format != Format::Apng {
             let name = || {
                 let mut files = files_of(&file).into_iter();
@@ -176,6 +201,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
         && !is_of_side(&args.out)
+        && is_run(args)
     {
         say(format_args!(
             "lightfall: a video of them: {}",

@@ -10,14 +10,14 @@ use std::io::ErrorKind;
 
 /// The exit status where the same command may succeed later or on another machine: the device was lost, or
 /// memory or the disk is full for now. It is EX_TEMPFAIL of BSD's sysexits.h, on which schedulers try again.
-pub const TRY_AGAIN: u8 = 75;
+const TRY_AGAIN: u8 = 75;
 
 /// Why a command stops: an exit status and one sentence, or one in each line for the faults of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stop {
     /// Exit status: 2 for a bad command line, preset, journey or file of rays, 130 for an
-    /// interruption, 143 after a request to end, [`TRY_AGAIN`] where another attempt may succeed, 1 for
-    /// any other failure.
+    /// interruption, 143 after a request to end, 75 where another attempt may succeed, 1 for any other
+    /// failure.
     pub status: u8,
     /// The reason.
     pub sentence: String,

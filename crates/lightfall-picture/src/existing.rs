@@ -106,7 +106,10 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
     let preset = preset.ok_or("holds no preset of Lightfall: it is another picture")?;
     for (name, words) in DECISIVE {
         let own = wanted.record.texts.iter().find(|(key, _)| *key == name);
-        let (own, other) = (own.map(|(_, text)| text.clone()), embedded_text(&head, name));
+        let (own, other) = (
+            own.map(|(_, text)| text.clone()),
+            embedded_text(&head, name),
+        );
         if own != other {
             let text = |text: Option<String>| text.unwrap_or_else(|| "none".into());
             return Err(format!(
@@ -146,7 +149,10 @@ pub fn preset_difference(there: &str, here: &str, is_metered: bool) -> Option<St
 pub(super) fn fields(preset: &str) -> BTreeMap<String, String> {
     let (mut fields, mut table) = (BTreeMap::new(), "");
     for line in preset.lines().map(str::trim) {
-        if let Some(head) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        if let Some(head) = line
+            .strip_prefix('[')
+            .and_then(|rest| rest.strip_suffix(']'))
+        {
             table = head;
         } else if let Some((name, value)) = line.split_once(" = ")
             && !line.starts_with('#')

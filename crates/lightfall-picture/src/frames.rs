@@ -93,9 +93,7 @@ fn read_step(text: &str) -> Result<u32, String> {
     let step: Option<u32> = text.parse().ok();
     step.filter(|step| is_number && (1..=MAX_NUMBER).contains(step))
         .ok_or_else(|| {
-            format!(
-                "the step of frames is a whole number from 1 to {MAX_NUMBER}, as in 0..300:10"
-            )
+            format!("the step of frames is a whole number from 1 to {MAX_NUMBER}, as in 0..300:10")
         })
 }
 

@@ -124,6 +124,16 @@ impl Sequence {
         Some((journey.duration * self.fps).ceil())
     }
 
+    /// A file beside the pictures: their name without the number, with this ending.
+    #[must_use]
+    pub fn beside(&self, ending: &str) -> PathBuf {
+        let [before, _] = &self.name;
+        let stem = Some(before.trim_end_matches(['-', '_', '.']))
+            .filter(|stem| !stem.is_empty())
+            .unwrap_or("lightfall");
+        self.folder.join(format!("{stem}{ending}"))
+    }
+
     /// The shell command line with which `ffmpeg` makes a video of pictures of this size.
     #[must_use]
     pub fn ffmpeg(&self, width: u32, height: u32) -> String {
@@ -132,10 +142,7 @@ impl Sequence {
         let folder = self.folder.to_string_lossy();
         let numbered = format!("{}%0{}d{}", name(before), self.digits, name(after));
         let input = Path::new(&name(&folder)).join(numbered);
-        let stem = Some(before.trim_end_matches(['-', '_', '.']))
-            .filter(|stem| !stem.is_empty())
-            .unwrap_or("lightfall");
-        let output = self.folder.join(format!("{stem}.mp4"));
+        let output = self.beside(".mp4");
         // Linear light is converted to sRGB's curve, and common video formats need even sides.
         let linear = after
             .to_lowercase()

@@ -1,6 +1,7 @@
 //! The arguments of every command.
 
 mod args;
+mod farm;
 mod measure;
 mod number;
 mod size;
@@ -8,6 +9,7 @@ mod size;
 pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
+pub use farm::FarmArgs;
 pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
 
 use crate::app::NO_GAMEPAD;
