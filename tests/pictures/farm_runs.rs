@@ -60,10 +60,9 @@ fn temporary(folder: &Path) -> Vec<String> {
 fn wait_while(child: &mut Child, what: &str, is_so: impl Fn() -> bool) {
     let began = Instant::now();
     while !is_so() {
-        assert!(
-            child.try_wait().unwrap().is_none(),
-            "it ended before {what}"
-        );
+        // It may have ended since the last look, with everything done.
+        let has_ended = child.try_wait().unwrap().is_some();
+        assert!(!has_ended || is_so(), "it ended before {what}");
         assert!(began.elapsed() < PATIENCE, "{what} takes too long");
         sleep(Duration::from_millis(20));
     }
@@ -94,12 +93,15 @@ fn a_sequence_that_was_killed_and_resumed_in_four_shards_has_the_bytes_of_one_ru
         });
         killed.kill().unwrap();
         killed.wait().unwrap();
-        let before = pictures(many.path()).len();
+        // A fast device may have drawn more of them.
+        for name in pictures(many.path()).keys().skip(3) {
+            fs::remove_file(many.path().join(name)).unwrap();
+        }
         let mut asked = command(many.path(), &format!("{options} --resume"))
             .spawn()
             .unwrap();
         wait_while(&mut asked, "one more picture", || {
-            pictures(many.path()).len() > before
+            pictures(many.path()).len() > 3
         });
         let output = terminate(asked);
         // It may have been done before it was asked.
@@ -163,7 +165,7 @@ fn a_sequence_that_was_killed_and_resumed_in_four_shards_has_the_bytes_of_one_ru
              --resume it is replaced"
         );
         assert!(said(&other).contains(&sentence), "{}", said(&other));
-        assert_eq!(pictures(many.path()), resumed, "they stay as they are");
+        assert!(pictures(many.path()) == resumed, "they stay as they are");
     }
 }
 
@@ -173,8 +175,11 @@ fn a_large_exr_that_is_asked_to_end_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let options = "--size 4096x2304 -o large.exr";
     let mut child = command(folder.path(), options).spawn().unwrap();
+    // The file by which the program tries the folder is gone at once.
     wait_while(&mut child, "the temporary file", || {
-        !temporary(folder.path()).is_empty()
+        let first = temporary(folder.path());
+        sleep(Duration::from_millis(300));
+        !first.is_empty() && temporary(folder.path()) == first
     });
     let began = Instant::now();
     let output = terminate(child);
