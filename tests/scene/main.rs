@@ -24,6 +24,8 @@ mod edge_view;
 mod equal_adapters;
 mod failures;
 #[cfg(target_os = "linux")]
+mod farm_scripts;
+#[cfg(target_os = "linux")]
 mod file_dialog;
 mod file_names;
 mod flight_error;
