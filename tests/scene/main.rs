@@ -22,6 +22,7 @@ mod doctor;
 mod edge_view;
 #[cfg(target_os = "linux")]
 mod equal_adapters;
+mod exit_status;
 mod failures;
 #[cfg(target_os = "linux")]
 mod farm_scripts;

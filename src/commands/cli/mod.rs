@@ -31,7 +31,7 @@ Examples:
 
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
 error. Exit status: 0 everything was done, 2 a bad command line, preset, journey or file of rays, 130 an
-interruption, 1 any other failure.";
+interruption, 143 after SIGTERM, 75 try again later, 1 any other failure.";
 
 /// The text below the help: examples and, in a build without gamepads, a note.
 fn after_help() -> String {

@@ -26,9 +26,8 @@ pub(super) fn left_to_draw(
 ) -> Result<Vec<u32>, Stop> {
     let form = match pictures.format {
         Format::Exr => WantedForm::Exr(channels, form),
-        Format::Png | Format::Apng => {
-            WantedForm::Png(tiling.map(|tiling| tiling.bits).unwrap_or_default())
-        }
+        // Other formats have no pictures in files of their own.
+        _ => WantedForm::Png(tiling.map(|tiling| tiling.bits).unwrap_or_default()),
     };
     let (mut left, mut there) = (Vec::new(), Vec::new());
     for number in pictures.numbers() {
