@@ -185,7 +185,7 @@ impl Studio {
                 return Err(PictureError::Interrupted);
             }
             Some(AppExit::Error(_)) => {
-                if let Some(PassingFault(fault)) = self.app.world().get_resource() {
+                if let Some(PassingFault(fault)) = self.app.world().get_resource::<PassingFault>() {
                     return Err(PictureError::Device((*fault).into()));
                 }
                 return Err(PictureError::Draw(format!(
