@@ -346,9 +346,9 @@ fn a_manifest_is_read_back_as_it_was_written_and_keeps_rows_of_other_frames() {
     // A row knows its file as long as the file keeps its length.
     let file = folder.path().join("flight-0004.png");
     assert!(!last.knows(4, &file));
-    fs::write(&file, [0; 13]).unwrap();
+    fs::write(&file, [0_u8; 13]).unwrap();
     assert!(last.knows(4, &file) && !last.knows(5, &file));
-    fs::write(&file, [0; 14]).unwrap();
+    fs::write(&file, [0_u8; 14]).unwrap();
     assert!(!last.knows(4, &file));
 }
 
@@ -385,7 +385,7 @@ fn a_manifest_with_a_line_that_is_wrong_is_refused_with_the_number_of_the_line()
         );
         assert_eq!(fault.lines().count(), 1, "{fault}");
     }
-    fs::write(&path, [0xff, 0xfe, 0xfd]).unwrap();
+    fs::write(&path, [0xff_u8, 0xfe, 0xfd]).unwrap();
     assert!(Manifest::open(&path).is_err());
 }
 

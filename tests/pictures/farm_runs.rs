@@ -24,7 +24,11 @@ fn scene() -> Scene {
 }
 
 fn command(folder: &Path, options: &str) -> Command {
-    fs::write(folder.join("scene.toml"), scene().to_preset()).unwrap();
+    // A program that is running may just be reading it.
+    let preset = folder.join("scene.toml");
+    if !preset.exists() {
+        fs::write(preset, scene().to_preset()).unwrap();
+    }
     let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));
     command
         .current_dir(folder)
