@@ -313,6 +313,7 @@ fn row(frame: u32, file: &str) -> ManifestRow {
         commit: None,
         adapter: Some("a card (Vulkan)".into()),
         driver: None,
+        backend: None,
         pci: None,
         host: Some("node-7".into()),
     }

@@ -171,7 +171,7 @@ fn pictures_are_verified_by_their_manifests() {
         let row = serde_json::json!({
             "frame": frame, "file": file, "sha256": hash(text), "bytes": text.len(), "seconds": null,
             "exposure_ev": 1.5, "preset_sha256": hash(""), "version": "0.1.0", "commit": null, "adapter": null,
-            "driver": null, "pci": null, "host": null,
+            "driver": null, "backend": null, "pci": null, "host": null,
         });
         format!("{row}\n")
     };

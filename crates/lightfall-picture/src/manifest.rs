@@ -74,6 +74,8 @@ pub struct ManifestRow {
     pub adapter: Option<String>,
     /// The adapter's driver.
     pub driver: Option<String>,
+    /// The graphics interface.
+    pub backend: Option<String>,
     /// Where the adapter is on the PCI bus.
     pub pci: Option<String>,
     /// The name of the machine.
@@ -81,8 +83,8 @@ pub struct ManifestRow {
 }
 
 impl ManifestRow {
-    /// The row of a picture that is there, with what its file tells: nothing of the time, of the PCI bus and
-    /// of the machine.
+    /// The row of a picture that is there, with what its file tells: nothing of the time, of the interface, of
+    /// the PCI bus and of the machine.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -108,6 +110,7 @@ impl ManifestRow {
             commit: embedded_text(&head, "lightfall.commit"),
             adapter: embedded_text(&head, "lightfall.adapter"),
             driver: embedded_text(&head, "lightfall.driver"),
+            backend: None,
             pci: None,
             host: None,
         })
@@ -221,7 +224,7 @@ impl Manifest {
 fn read_row(line: &str) -> Result<ManifestRow, String> {
     let row: ManifestRow = serde_json::from_str(line).map_err(|_| {
         "this is not a row of a manifest: an object in JSON with frame, file, sha256, bytes and preset_sha256, and with \
-         seconds, exposure_ev, version, commit, adapter, driver, pci and host, which may be null, and nothing else"
+         seconds, exposure_ev, version, commit, adapter, driver, backend, pci and host, which may be null, and nothing else"
             .to_owned()
     })?;
     row.fault().map_or(Ok(row), Err)
@@ -230,6 +233,8 @@ fn read_row(line: &str) -> Result<ManifestRow, String> {
 /// What a row says of the device and the machine, beyond what the picture itself says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceFacts {
+    /// The graphics interface.
+    pub backend: Option<String>,
     /// The adapter's place on the PCI bus, if the interface tells it.
     pub pci: Option<String>,
     /// The machine.
@@ -243,6 +248,7 @@ impl Studio {
         let info = self.app.world().get_resource::<RenderAdapterInfo>();
         let text = |text: String| Some(text).filter(|text| !text.is_empty());
         DeviceFacts {
+            backend: info.map(|info| info.backend.to_string()),
             pci: info.and_then(|info| text(info.device_pci_bus_id.clone())),
             host: lightfall_platform::host::host_name(),
         }

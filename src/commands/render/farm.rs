@@ -85,13 +85,14 @@ pub(super) fn note_frame(
     time: Duration,
     studio: &Studio,
 ) -> Result<(), Stop> {
-    let DeviceFacts { pci, host } = studio.device_facts();
+    let DeviceFacts { backend, pci, host } = studio.device_facts();
     for file in files {
         let row = row_of(number, file)?;
         manifest.insert(ManifestRow {
             // Milliseconds are as much as one run has in common with the next.
             seconds: Some((time.as_secs_f64() * 1000.0).round() / 1000.0),
             commit: row.commit.clone().or_else(commit),
+            backend: backend.clone(),
             pci: pci.clone(),
             host: host.clone(),
             ..row
