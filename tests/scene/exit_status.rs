@@ -7,11 +7,16 @@ use lightfall_platform::storage::WriteError;
 use std::io::ErrorKind;
 use std::path::Path;
 
+fn failed(error: GpuError) -> PictureError {
+    error.into()
+}
+
+fn written(kind: ErrorKind) -> PictureError {
+    WriteError::new(Path::new("a.png"), kind.into()).into()
+}
+
 #[test]
 fn what_may_be_gone_later_is_status_75_and_a_request_to_end_143() {
-    let written =
-        |kind: ErrorKind| PictureError::from(WriteError::new(Path::new("a.png"), kind.into()));
-    let failed = |error: GpuError| PictureError::from(error);
     for (error, status, words) in [
         (
             failed(GpuError::Device("lost".into())),
