@@ -22,9 +22,10 @@ const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
 const METERED: &str = "picture.exposure_ev";
 
 /// The texts beside the preset that decide pixels, with words for them.
-const DECISIVE: [(&str, &str); 2] = [
+const DECISIVE: [(&str, &str); 3] = [
     ("lightfall.version", "the version of the program"),
     ("lightfall.stars", "the list of stars"),
+    ("lightfall.sky", "the picture of the sky"),
 ];
 
 /// A picture that would be drawn.
