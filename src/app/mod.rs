@@ -21,6 +21,7 @@ pub use controls::control::{Action, Control, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
 pub use controls::key_labels::{KeyLabels, PRINTED};
+pub use controls::kiosk::is_for_visitors;
 pub use controls::refusal::checked_change;
 pub use controls::sections::{SECTIONS, Shown};
 pub use controls::statement::{change_words, statement};
@@ -46,8 +47,13 @@ pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
 #[cfg(not(target_arch = "wasm32"))]
 pub use session::link::command_line;
+pub use session::monitor::{MonitorFault, Placement, numbered_monitor};
 pub use state::disk_clock::DiskClock;
 pub use state::history::History;
+pub use state::kiosk::{Exhibition, Show};
+pub use state::kiosk_round::{
+    END_PAUSE, JourneyNow, KioskRound, RoundStep, VisitorInput, stop_reading_time,
+};
 pub use state::lesson_results::LessonAnswer;
 pub use state::lessons::next_lesson;
 pub use state::menu::{Menu, MenuEntry, MenuList};
@@ -87,6 +93,7 @@ use lightfall_platform::log::{quiet_log, say};
 use lightfall_render::recovery::DeviceFailure;
 use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
+use state::kiosk::Kiosk;
 use state::lessons::GuidedJourney;
 use state::light_meter::LightMeter;
 use state::missions::StartMission;
@@ -113,6 +120,10 @@ pub struct Start {
     pub keeps_own_look: bool,
     /// The folder of shaders that are linked again whenever one of its files changes.
     pub shaders: Option<PathBuf>,
+    /// What is shown to visitors, in a window for them. The first scene is that of its first journey.
+    pub exhibition: Option<Exhibition>,
+    /// Where the window opens.
+    pub placement: Placement,
 }
 
 impl Start {
@@ -128,6 +139,8 @@ impl Start {
             mission: None,
             keeps_own_look: false,
             shaders: source_shaders(),
+            exhibition: None,
+            placement: Placement::default(),
         }
     }
 }
@@ -172,15 +185,21 @@ pub fn program(start: Start) -> App {
         mission,
         keeps_own_look,
         shaders,
+        exhibition,
+        placement,
     } = start;
+    let has_visitors = exhibition.is_some();
     let mut player = JourneyPlayer::new(journey);
     // A journey or a mission that begins at once shows a title of its own.
-    let title = if plays_journey || mission.is_some() {
+    let title = if plays_journey || mission.is_some() || has_visitors {
         Title::default()
     } else {
         Title::of(&scene)
     };
-    let (mut preferences, fault) = Preferences::load();
+    let (mut preferences, fault) = match &exhibition {
+        Some(exhibition) => Preferences::for_visitors(exhibition.volume),
+        None => Preferences::load(),
+    };
     if !keeps_own_look {
         scene = in_look(scene, preferences.settings.pixel_look);
     }
@@ -190,7 +209,11 @@ pub fn program(start: Start) -> App {
         player.restart();
     }
     // The adapter has to be chosen before the renderer opens a device.
-    let (adapter, other_adapter) = AdapterChoice::apply(&mut preferences);
+    let (adapter, other_adapter) = if has_visitors {
+        AdapterChoice::apply_without_trial(&preferences)
+    } else {
+        AdapterChoice::apply(&mut preferences)
+    };
     let mut app = App::new();
     let labels = input::layout::current_labels();
     let clash = state::preferences::insert(&mut app, preferences, &labels);
@@ -204,12 +227,13 @@ pub fn program(start: Start) -> App {
         say(format_args!("lightfall: {fault}"));
     }
     let messages: Vec<String> = message.into_iter().chain(faults).collect();
-    if !messages.is_empty() {
+    // Visitors cannot mend what is wrong with the settings.
+    if !messages.is_empty() && !has_visitors {
         app.world_mut()
             .get_resource_or_init::<Toast>()
             .say(messages.join("\n"));
     }
-    app.add_plugins(bevy_plugins(&scene))
+    app.add_plugins(bevy_plugins(&scene, placement, has_visitors))
         .add_plugins(EguiPlugin::default())
         .insert_resource(History::new(scene.scene().clone()))
         .init_resource::<Resolution>()
@@ -222,6 +246,8 @@ pub fn program(start: Start) -> App {
         .insert_resource(adapter)
         .insert_resource(StarCatalogue(stars))
         .insert_resource(LiveShaders::new(shaders))
+        .insert_resource(Kiosk::new(exhibition))
+        .insert_resource(placement)
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::default(),
@@ -229,7 +255,7 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             (state::toast::plugin, state::helm::plugin),
             (state::missions::plugin, state::lessons::plugin),
-            state::lesson_draft::plugin,
+            (state::lesson_draft::plugin, state::kiosk::plugin),
             state::end_card::plugin,
             state::menu::plugin,
             state::notice::plugin,
@@ -247,8 +273,8 @@ pub fn program(start: Start) -> App {
             input::touch::plugin,
         ))
         .add_plugins((
-            session::window::plugin,
-            session::icon::plugin,
+            (session::window::plugin, session::monitor::plugin),
+            (session::icon::plugin, session::kiosk::plugin),
             session::frame_pacing::plugin,
             session::detail_limits::plugin,
             session::canvas::plugin,
@@ -267,7 +293,7 @@ pub fn program(start: Start) -> App {
             motion::pilot::plugin,
             motion::zoom::plugin,
             (motion::journey::plugin, motion::stops::plugin),
-            motion::lesson::plugin,
+            (motion::lesson::plugin, motion::kiosk::plugin),
             motion::free_fall::plugin,
             motion::ship::plugin,
             motion::edge_view::plugin,
@@ -305,12 +331,14 @@ fn in_look(drawable: Drawable, pixel_look: bool) -> Drawable {
     Drawable::new(scene).unwrap_or(drawable)
 }
 
-fn bevy_plugins(scene: &Scene) -> PluginGroupBuilder {
+fn bevy_plugins(scene: &Scene, placement: Placement, has_visitors: bool) -> PluginGroupBuilder {
     DefaultPlugins
         .set(quiet_log())
         .set(render_plugin(false))
         .set(WindowPlugin {
-            primary_window: Some(session::window::window_of(scene)),
+            primary_window: Some(session::window::window_of(scene, placement)),
+            // Visitors do not close the window: the desktop's own keys ask it in vain.
+            close_when_requested: !has_visitors,
             ..default()
         })
         // Tests run the program on a thread other than the first, where the system allows this.

@@ -7,6 +7,7 @@
 use lightfall_platform::log::say;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 #[cfg(windows)]
 use windows_sys::Win32::{Foundation::INVALID_HANDLE_VALUE, System::Console};
 
@@ -55,10 +56,19 @@ pub(super) fn close_own_console() {
     }
 }
 
+/// Whether no message box is shown, whatever happens.
+static SHOWS_NO_BOX: AtomicBool = AtomicBool::new(false);
+
+/// Shows no message box from now on: in a window for visitors nobody would close it, and what starts the
+/// program again would wait for that.
+pub(super) fn show_no_box() {
+    SHOWS_NO_BOX.store(true, Ordering::Relaxed);
+}
+
 /// Says why the program ends: on standard error and, where nobody reads that, in a message box.
 pub(super) fn report(message: &str) {
     say(format_args!("lightfall: {message}"));
-    if StandardError::at_start().is_read() {
+    if StandardError::at_start().is_read() || SHOWS_NO_BOX.load(Ordering::Relaxed) {
         return;
     }
     show_box(message.to_owned());

@@ -3,6 +3,7 @@
 use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::glyphs::note_lacking;
+use super::kiosk;
 use super::output::print;
 use super::scene::{
     NO_JOURNEY, drawable, journey, journey_in, note_missing_stars, on_stage, opened, scene, stars,
@@ -10,7 +11,7 @@ use super::scene::{
 use super::stop::Stop;
 use super::unused::{note_idle_preset, note_unused};
 use crate::app;
-use crate::app::Start;
+use crate::app::{MonitorFault, Placement, Start};
 use bevy::app::App;
 use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::exposure::exposed;
@@ -26,6 +27,10 @@ use std::path::{Path, PathBuf};
 
 /// Flies, with an addition to the window program.
 pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
+    kiosk::check_options(args)?;
+    if let Some(journeys) = &args.kiosk {
+        return kiosk::show(args, journeys, addition);
+    }
     let mut journey_file = args.journey.as_deref();
     if journey_file.is_some_and(|file| file == Path::new(NO_JOURNEY) && !file.exists()) {
         return Err(Stop::refused(format!(
@@ -108,11 +113,29 @@ pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(),
         mission,
         keeps_own_look: scene_args.sets("picture.bypass").map_err(Stop::refused)?,
         shaders: args.shaders.clone().or(start.shaders),
+        placement: placement(args),
         ..start
     };
+    open(start, addition)
+}
+
+/// Where the window opens.
+pub(super) fn placement(args: &FlyArgs) -> Placement {
+    Placement {
+        full_screen: args.fullscreen || args.kiosk.is_some(),
+        monitor: args.monitor.map(usize::from),
+    }
+}
+
+/// Opens the window, with an addition to its program, until it is closed.
+pub(super) fn open(start: Start, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
     let mut program = app::program(start);
     addition(&mut program);
-    app::run(program).map_err(Stop::failed)
+    let no_monitor = program.world().get_resource::<MonitorFault>().cloned();
+    app::run(program).map_err(|reason| {
+        let refusal = no_monitor.as_ref().and_then(MonitorFault::sentence);
+        refusal.map_or_else(|| Stop::failed(reason), Stop::refused)
+    })
 }
 
 /// What a window would show first.

@@ -13,6 +13,7 @@ mod extremes;
 mod fly;
 mod glyphs;
 mod kept_rows;
+mod kiosk;
 mod output;
 mod presets;
 mod progress;
@@ -24,6 +25,7 @@ mod trace;
 mod unused;
 
 pub use console::StandardError;
+pub use kiosk::{check_options, shows};
 pub use presets::presets;
 pub use progress::in_words;
 pub use render::still_drawing;

@@ -60,8 +60,9 @@ pub(super) fn note_unused(
     let mut suspects = Vec::new();
     let mut said = Vec::new();
     for (index, given) in overrides.iter().enumerate() {
-        // A dome takes all of its values together, and says none of them by name.
-        if given.option == "--dome" {
+        // A dome takes all of its values together, and says none of them by name; a picture of the sky
+        // takes its mode with its file.
+        if given.option == "--dome" || given.option == "--sky" && given.key == "sky.mode" {
             continue;
         }
         let option = written(args, given);
@@ -123,14 +124,15 @@ fn written(args: &SceneArgs, given: &Override) -> String {
     format!("{} {value}", given.option)
 }
 
-/// The scene without one of the overrides, or without all of `--quality`. `None` if there is no such
-/// scene.
+/// The scene without one of the overrides, or without all of `--quality` or of `--sky`. `None` if
+/// there is no such scene.
 fn without(args: &SceneArgs, overrides: &[Override], index: usize) -> Option<Scene> {
-    let named = overrides[index].option == "--quality";
+    let option = overrides[index].option;
+    let named = ["--quality", "--sky"].contains(&option);
     let others = overrides
         .iter()
         .enumerate()
-        .filter(|(other, given)| *other != index && !(named && given.option == "--quality"));
+        .filter(|(other, given)| *other != index && !(named && given.option == option));
     let others: Vec<_> = others.map(|(_, given)| given.clone()).collect();
     scene_with(args, &others).ok()
 }

@@ -2,9 +2,9 @@
 //! not a number, no channel of an EXR is infinite, and none is missing but where its ray has no such value.
 
 use super::random::Random;
-use super::random_scene::random_scene;
+use super::random_scene::{SKIES, random_scene};
 use exr::prelude::f16;
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::Scene;
 use lightfall_picture::{Channels, HeadlessOptions, PixelRays, Studio};
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ const SIZE: [u32; 2] = [96, 54];
 
 /// A random scene as a small picture, with bloom and means of frames where they matter.
 fn random_picture(random: &mut Random) -> Scene {
-    let mut scene = random_scene(random, &SkyMode::ALL).scene().clone();
+    let mut scene = random_scene(random, &SKIES).scene().clone();
     [scene.picture.width, scene.picture.height] = SIZE;
     [scene.picture.grid_width, scene.picture.grid_height] = SIZE;
     scene.picture.samples = random.of(&[1, 1, 3]);

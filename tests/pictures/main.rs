@@ -31,6 +31,7 @@ mod random;
 mod random_scene;
 mod redraw;
 mod sequences;
+mod sky_pictures;
 mod stars;
 mod tiles;
 mod tilt;

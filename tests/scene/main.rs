@@ -42,6 +42,7 @@ mod handout;
 mod history;
 mod key_labels;
 mod keys;
+mod kiosk;
 mod legends;
 mod lesson_player;
 mod lessons;

@@ -127,6 +127,11 @@ fn rows_are_dimmed_where_they_change_nothing() {
     assert_eq!(dimmed_between(&grid, &lit), of_stars);
     let procedural = with(|scene| scene.sky.mode = SkyMode::Procedural);
     assert_eq!(dimmed_between(&procedural, &lit), of_stars[1..]);
+    let picture = with(|scene| scene.sky.mode = SkyMode::Picture);
+    let of_picture = ["sky.picture", "sky.frame", "sky.mirror", "sky.stars"];
+    assert_eq!(dimmed_between(&lit, &picture), of_picture);
+    let of_points = ["sky.seed", "sky.magnitude_limit"];
+    assert_eq!(dimmed_between(&picture, &lit), of_points);
     let isco = with(|scene| scene.disk.follow_isco = true);
     assert_eq!(dimmed_between(&isco, &lit), ["disk.inner"]);
     let order = with(|scene| scene.view = View::Order);

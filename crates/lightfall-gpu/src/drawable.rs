@@ -4,6 +4,7 @@ use super::error::GpuError;
 use super::scene::GpuScene;
 use lightfall_model::scene::{Frame, ObserverKind, Refusal, Scene};
 use lightfall_optics::exposure::exposed;
+use lightfall_optics::sky_picture::{SkyPicture, SkyPictureError};
 use std::ops::Deref;
 use thiserror::Error;
 
@@ -26,15 +27,21 @@ pub enum Undrawable {
     /// The method, the spin and the observer are not compatible.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// The picture of the sky cannot be shown.
+    #[error(transparent)]
+    Sky(#[from] SkyPictureError),
 }
 
 impl Drawable {
-    /// Checks a scene and computes its numbers for the GPU.
+    /// Checks a scene, reads the picture that its sky shows, if it shows one that was not read
+    /// before, and computes its numbers for the GPU.
     ///
     /// # Errors
-    /// The first refused field, or the reason why no shader can trace the scene.
+    /// The first refused field, the reason why no shader can trace the scene, or what is wrong with
+    /// the picture of the sky.
     pub fn new(scene: Scene) -> Result<Self, Undrawable> {
         scene.check()?;
+        SkyPicture::of(&scene)?;
         let numbers = GpuScene::new(&scene, &Frame::of(&scene))?;
         Ok(Self { scene, numbers })
     }

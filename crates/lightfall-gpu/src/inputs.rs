@@ -2,18 +2,20 @@
 //! uniform is a row of [`bindings`], and an arm of [`Inputs::contents`].
 
 use super::bindings::{
-    self, Binding, ERROR_MAP, HOT_SPOT, JET, PAGE_THORNE, SPECTRUM, STRUCTURE, THICK_DISK, TILT,
-    WAVE_HEIGHTS,
+    self, Binding, ERROR_MAP, HOT_SPOT, JET, PAGE_THORNE, SPECTRUM, STARLIGHT, STRUCTURE,
+    THICK_DISK, TILT, WAVE_HEIGHTS,
 };
 use super::error_map::ErrorMap;
 use super::jet::GpuJet;
 use super::kernel::{table_bytes, uniform};
 use super::medium::GpuThickDisk;
 use super::scene::{GpuHotSpot, GpuTilt};
+use super::starlight::GpuStarlight;
 use super::structure::{GpuStructure, wave_heights};
-use lightfall_model::scene::{HotSpotKind, Scene, View};
+use lightfall_model::scene::{HotSpotKind, Scene, SkyMode, View};
 use lightfall_optics::disk::Profile;
 use lightfall_optics::spectrum;
+use lightfall_optics::stars::Depth;
 use std::sync::LazyLock;
 
 /// The table of thermal colours, which is the same for all scenes.
@@ -67,6 +69,10 @@ impl<'a> Inputs<'a> {
                 Some(uniform(&GpuHotSpot::new(scene)))
             }
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),
+            // Where stars are drawn in front of the picture, their own numbers take its place.
+            STARLIGHT if scene.sky.mode == SkyMode::Picture => {
+                Some(uniform(&GpuStarlight::new(scene, Depth::NO_POINTS)))
+            }
             STRUCTURE => Some(uniform(&GpuStructure::new(scene, self.max_waves)?)),
             WAVE_HEIGHTS => Some(uniform(&wave_heights(scene, self.max_waves)?)),
             JET => Some(uniform(&GpuJet::new(scene)?)),

@@ -1,6 +1,7 @@
-//! The Milky Way's light as a texture.
+//! The light of the Milky Way, or of a picture of the sky, as a texture.
 
 use lightfall_optics::milky_way::MilkyWay;
+use lightfall_optics::sky_picture::SkyPicture;
 use std::f64::consts::FRAC_PI_2;
 use wgpu::{
     Extent3d, FilterMode, MipmapFilterMode, SamplerDescriptor, TextureDescriptor, TextureDimension,
@@ -10,8 +11,8 @@ use wgpu::{
 /// Width of a texel of the finest level, in radians: a quarter turn over the texels of a face.
 pub(super) const TEXEL: f64 = FRAC_PI_2 / MilkyWay::SIZE as f64;
 
-/// The cube map of the Milky Way: its texture, its view, its sampler and its bytes, layer by layer
-/// and each layer level by level.
+/// The cube map of the Milky Way, or of a picture of the sky: its texture, its view, its sampler and
+/// its bytes, layer by layer and each layer level by level.
 #[derive(Debug)]
 pub struct SkyTexture;
 
@@ -19,21 +20,16 @@ impl SkyTexture {
     /// The texture. Where no scene shows the Milky Way, a texture of one texel a face takes its
     /// place.
     pub fn descriptor(shown: bool) -> TextureDescriptor<'static> {
-        let side = if shown { MilkyWay::SIZE as u32 } else { 1 };
-        TextureDescriptor {
-            label: Some("Milky Way"),
-            size: Extent3d {
-                width: side,
-                height: side,
-                depth_or_array_layers: 6,
-            },
-            mip_level_count: if shown { MilkyWay::LEVELS as u32 } else { 1 },
-            sample_count: 1,
-            dimension: TextureDimension::D2,
-            format: TextureFormat::Rgba16Float,
-            usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
-            view_formats: &[],
+        if shown {
+            cube_map(MilkyWay::SIZE as u32, MilkyWay::LEVELS as u32)
+        } else {
+            cube_map(1, 1)
         }
+    }
+
+    /// The texture of a picture of the sky.
+    pub fn descriptor_of_picture(picture: &SkyPicture) -> TextureDescriptor<'static> {
+        cube_map(picture.side() as u32, picture.level_count() as u32)
     }
 
     /// The view of the texture as a cube.
@@ -67,5 +63,31 @@ impl SkyTexture {
             .flatten()
             .flat_map(u16::to_le_bytes)
             .collect()
+    }
+
+    /// The bytes of the texture of a picture of the sky.
+    pub fn bytes_of_picture(picture: &SkyPicture) -> Vec<u8> {
+        picture
+            .half_floats()
+            .flatten()
+            .flat_map(u16::to_le_bytes)
+            .collect()
+    }
+}
+
+fn cube_map(side: u32, levels: u32) -> TextureDescriptor<'static> {
+    TextureDescriptor {
+        label: Some("Milky Way"),
+        size: Extent3d {
+            width: side,
+            height: side,
+            depth_or_array_layers: 6,
+        },
+        mip_level_count: levels,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba16Float,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+        view_formats: &[],
     }
 }

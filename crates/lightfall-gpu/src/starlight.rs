@@ -1,4 +1,5 @@
-//! The uniform of the sky mode `stars`, in a binding of its own: only scenes with stars read it.
+//! The uniform of the sky modes that are maps, in a binding of its own: only scenes with stars or with
+//! a picture of the sky read it.
 
 use super::shader::text::add_constant;
 use super::sky_texture::TEXEL;
@@ -7,9 +8,10 @@ use encase::ShaderType;
 use glam::{DVec2, Mat3, UVec2, Vec2, Vec4};
 use lightfall_model::scene::Scene;
 use lightfall_optics::milky_way::{MilkyWay, nebular};
+use lightfall_optics::sky_picture::{SkyPicture, picture_from_hole};
 use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
 
-/// Mirror of `Starlight` in shaders/sky/stars.wgsl.
+/// Mirror of `Starlight` in shaders/sky/stars.wgsl and shaders/sky/picture.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuStarlight {
@@ -25,19 +27,28 @@ pub struct GpuStarlight {
 }
 
 impl GpuStarlight {
-    /// The numbers of a scene whose points are as deep as `depth`.
+    /// The numbers of a scene whose points are as deep as `depth`. Those of a picture of the sky are on
+    /// the picture's axes.
     pub fn new(scene: &Scene, depth: Depth) -> Self {
         let sky = &scene.sky;
-        let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
+        // A scene that can be drawn has its picture.
+        let picture = SkyPicture::of(scene).ok().flatten();
+        let (map_from_hole, texel) = match &picture {
+            Some(picture) => (picture_from_hole(scene), picture.texel_width()),
+            None => (
+                hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg).transpose(),
+                TEXEL,
+            ),
+        };
         // Rays are traced in the disk's frame.
-        let celestial_from_rays = hole_from_celestial.transpose() * scene.disk.hole_from_disk();
+        let map_from_rays = map_from_hole * scene.disk.hole_from_disk();
         Self {
-            celestial_from_hole: celestial_from_rays.as_mat3(),
+            celestial_from_hole: map_from_rays.as_mat3(),
             magnitude_limit: depth.limit as f32,
             last_magnitude: depth.last as f32,
             temperatures: DVec2::from(MilkyWay::temperatures()).as_vec2(),
             nebular: nebular::table().map(|colour| colour.extend(0.0).as_vec4()),
-            texel: TEXEL as f32,
+            texel: texel as f32,
             light_unit: light_unit(scene) as f32,
             ..Self::default()
         }

@@ -2,6 +2,7 @@
 //! row.
 
 use glam::DVec3;
+use std::array;
 
 /// Number of faces.
 pub const FACES: usize = 6;
@@ -37,4 +38,44 @@ pub fn solid_angle(size: usize, column: usize, row: usize) -> f64 {
     let (left, right) = (edge(column), edge(column + 1));
     let (top, bottom) = (edge(row), edge(row + 1));
     corner(right, bottom) - corner(left, bottom) - corner(right, top) + corner(left, top)
+}
+
+/// The face that a direction points to, and the place (`u`, `v`) there: the inverse of [`place`].
+pub fn face_and_place(direction: DVec3) -> (usize, f64, f64) {
+    let size = direction.abs();
+    let DVec3 { x, y, z } = direction;
+    let (face, along, s, t) = if size.x >= size.y && size.x >= size.z {
+        let side = if x < 0.0 { -1.0 } else { 1.0 };
+        (usize::from(x < 0.0), size.x, -side * z, -y)
+    } else if size.y >= size.z {
+        let side = if y < 0.0 { -1.0 } else { 1.0 };
+        (2 + usize::from(y < 0.0), size.y, x, side * z)
+    } else {
+        let side = if z < 0.0 { -1.0 } else { 1.0 };
+        (4 + usize::from(z < 0.0), size.z, side * x, -y)
+    };
+    (face, 0.5 * (s / along + 1.0), 0.5 * (t / along + 1.0))
+}
+
+/// The next coarser level of texels, `size` a side: means of 2x2, weighted with solid angles.
+pub(crate) fn halved<const N: usize>(texels: &[[f32; N]], size: usize) -> Vec<[f32; N]> {
+    let half = size / 2;
+    let of_face = half * half;
+    let mut coarser = vec![[0.0; N]; FACES * of_face];
+    for texel in 0..of_face {
+        let (_, column, row) = face_column_row(half, texel);
+        let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, down)| {
+            let (column, row) = (2 * column + right, 2 * row + down);
+            (row * size + column, solid_angle(size, column, row))
+        });
+        let all: f64 = four.iter().map(|(_, weight)| weight).sum();
+        for face in 0..FACES {
+            coarser[face * of_face + texel] = array::from_fn(|i| {
+                let light = |at: usize| f64::from(texels[face * size * size + at][i]);
+                let sum: f64 = four.iter().map(|(at, weight)| weight * light(*at)).sum();
+                (sum / all) as f32
+            });
+        }
+    }
+    coarser
 }

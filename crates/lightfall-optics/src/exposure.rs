@@ -9,6 +9,7 @@ use crate::medium::{Medium, Tolerance};
 use crate::photometry::DISK_HDR_SCALE;
 use crate::reference::Reference;
 use crate::shift::Shift;
+use crate::sky_picture::{SkyPicture, picture_from_hole};
 use crate::trace::{Hit, Outcome};
 use crate::{disk, spectrum};
 use glam::{DVec2, DVec3};
@@ -35,6 +36,11 @@ const SKY_WEIGHT: f64 = 0.02;
 /// Temperature of the sky's light, in kelvin, and the exposure for a sky alone, unshifted.
 const SKY_TEMPERATURE: f64 = 6500.0;
 const SKY_EXPOSURE: f64 = 1.2;
+/// A picture of the sky counts as it is, seen in patches of a few degrees, the 16 x 16 of a face. But
+/// a dark one, such as a map of stars, counts as no darker than this share of the sky of other modes:
+/// night stays night.
+const PICTURE_SIDE: usize = 16;
+const MIN_PICTURE_LIGHT: f64 = 0.25;
 /// The exposures that the meter chooses. A longer one would turn the sky white.
 const RANGE: [f64; 2] = [-12.0, 7.0];
 /// Halvings of that range, and the fraction of a power of two to which the result is rounded.
@@ -145,6 +151,9 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
     let size = scene.picture.size().as_dvec2();
     // Light of an unshifted sky that alone would give SKY_EXPOSURE.
     let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
+    // A scene that can be drawn has its picture.
+    let picture = SkyPicture::of(scene).ok().flatten();
+    let picture_axes = picture_from_hole(scene);
     let limb = Limb::new(scene);
     let medium = Medium::smooth(scene, MEDIUM_NODES);
     let disk_light = |photon: &Photon, hit: Hit| {
@@ -200,7 +209,13 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
             let lambda = r * n.cross(photon.w).z / photon.energy;
             let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
             let seen = DVec3::from(spectrum::colour(g * SKY_TEMPERATURE)).max_element();
-            let light = sky_light * seen * shift.beaming_factor(g);
+            let mut light = sky_light * seen;
+            if let (Some(picture), Some(direction)) = (&picture, trace.sky) {
+                let level = picture.level_of_side(PICTURE_SIDE);
+                let own = picture.light(picture_axes * direction, g, level);
+                light = (scene.sky.brightness * own.max_element()).max(MIN_PICTURE_LIGHT * light);
+            }
+            light *= shift.beaming_factor(g);
             add(SKY_WEIGHT * uncovered, light);
         }
     }

@@ -26,6 +26,7 @@ pub mod readout;
 pub mod reference;
 pub mod shift;
 pub mod ship;
+pub mod sky_picture;
 pub mod sound;
 pub mod spectrum;
 pub mod stars;

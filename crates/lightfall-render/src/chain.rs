@@ -4,7 +4,7 @@
 use crate::comparison::ComparedScene;
 use bevy::math::UVec2;
 use lightfall_core::gpu::BloomLevels;
-use lightfall_core::scene::{Part, Scene, SkyMode};
+use lightfall_core::scene::{Part, Scene};
 
 /// Rows of bloom's largest level: half the default picture's height. A finer level would take most
 /// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
@@ -78,7 +78,7 @@ impl Chain {
             picture,
             probe: scene.probe.enabled,
             samples: if smooth_probe { 4 } else { 1 },
-            stars: shows_light && scene.sky.mode == SkyMode::Stars,
+            stars: shows_light && scene.sky.has_star_points(),
             antialias: shows_light && scene.picture.antialias,
             shows_light,
             frames: if shows_light {

@@ -9,6 +9,7 @@ mod pipeline;
 mod queue;
 mod shader;
 mod side;
+mod sky;
 
 pub(crate) use inputs::InputBuffers;
 pub(super) use pass::GeodesicPass;

@@ -56,6 +56,8 @@ pub struct State {
     pub comparison: String,
     /// Whether the mouse looks around and its arrow is hidden.
     pub grabs_mouse: bool,
+    /// Whether the mouse's arrow is shown over the window.
+    pub shows_pointer: bool,
     /// Whether the window is to fill the screen.
     pub full_screen: bool,
     /// Whether the picture was kept, and for each frame after the key for more light whether its

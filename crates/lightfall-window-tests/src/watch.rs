@@ -84,6 +84,7 @@ fn write_state(
             Some(ComparisonMode::Difference { gain }) => format!("difference times {gain}"),
         },
         grabs_mouse: cursor.grab_mode != CursorGrabMode::None && !cursor.visible,
+        shows_pointer: cursor.visible,
         full_screen: window.mode != WindowMode::Windowed,
         kept: kept.differs(),
     };

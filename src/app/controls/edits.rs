@@ -4,7 +4,7 @@
 use super::control::{Action, Control, Edit};
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::scene::presets::PRESETS;
-use lightfall_core::scene::{Method, Scene, Value, View, field};
+use lightfall_core::scene::{Method, Scene, SkyMode, Value, View, field};
 
 /// The spin that is switched on where the loaded scene has none.
 const DEFAULT_SPIN: f64 = 0.9;
@@ -95,6 +95,10 @@ pub(super) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
 
 pub(super) fn next_sky(scene: &mut Scene, _: &Scene) {
     scene.sky.mode = scene.sky.mode.next();
+    // A picture needs a file.
+    if scene.sky.mode == SkyMode::Picture && scene.sky.picture.is_empty() {
+        scene.sky.mode = scene.sky.mode.next();
+    }
 }
 
 /// The next kind of observer that can exist at the camera's place.

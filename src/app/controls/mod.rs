@@ -11,6 +11,7 @@ pub(crate) mod helm;
 pub(crate) mod key_feedback;
 pub(crate) mod key_labels;
 pub(crate) mod keys;
+pub(crate) mod kiosk;
 pub(crate) mod lesson;
 pub(crate) mod refusal;
 pub(crate) mod sections;

@@ -4,6 +4,7 @@
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::gpu::{Drawable, GpuError, Undrawable};
 use lightfall_core::numbers::{four_digits, spin_digits, with_short_numbers};
+use lightfall_core::optics::sky_picture::SkyPictureError;
 use lightfall_core::scene::{ObserverKind, Refusal, Scene, field};
 use std::ops::Bound;
 
@@ -37,6 +38,10 @@ pub fn undrawable(reason: &Undrawable, scene: &Scene) -> String {
             format!("the method {} traces no spin", scene.method.word())
         }
         Undrawable::Gpu(other) => with_short_numbers(&other.to_string()),
+        Undrawable::Sky(SkyPictureError::NoFile) => "the sky's picture has no file yet".into(),
+        Undrawable::Sky(SkyPictureError::Refused { path, fault }) => {
+            format!("{path} is no picture of the sky: {fault}")
+        }
     }
 }
 

@@ -62,11 +62,6 @@ pub const SECTIONS: &[Section] = sections! {
         "camera.yaw_deg" "Turn right" Linear(-180.0, 180.0);
         "camera.pitch_deg" "Turn up" Linear(-90.0, 90.0);
         "camera.roll_deg" "Roll" Linear(-180.0, 180.0);
-        "camera.projection" "Projection" Plain;
-        "camera.fisheye_deg" "Fisheye's field" Linear(30.0, 360.0);
-        "camera.circle" "Fisheye's circle" Logarithmic(0.5, 4.0);
-        "camera.tilt_deg" "Tilt of the picture" Linear(-90.0, 90.0);
-        "camera.shift" "Shift of the picture" Plain;
         "observer.kind" "Motion" Plain;
         "observer.velocity" "Extra velocity" Plain;
     }
@@ -134,6 +129,10 @@ pub const SECTIONS: &[Section] = sections! {
     folded "Sky" {
         "sky.mode" "Sky" Plain;
         "sky.brightness" "Brightness" Logarithmic(0.01, 100.0);
+        "sky.picture" "Picture's file" Plain;
+        "sky.frame" "Picture's axes" Plain;
+        "sky.mirror" "Picture mirrored" Plain;
+        "sky.stars" "Catalogue's stars" Plain;
         "sky.ra_deg" "Behind the hole: RA" Linear(0.0, 360.0);
         "sky.dec_deg" "Behind the hole: Dec" Linear(-90.0, 90.0);
         "sky.roll_deg" "Turn of the sky" Linear(-180.0, 180.0);
@@ -159,6 +158,13 @@ pub const SECTIONS: &[Section] = sections! {
         "picture.grid_height" "Cells down" Logarithmic(9.0, 8192.0);
         "picture.width" "Width" Logarithmic(64.0, 8192.0);
         "picture.height" "Height" Logarithmic(36.0, 8192.0);
+    }
+    folded "Projection" {
+        "camera.projection" "Projection" Plain;
+        "camera.fisheye_deg" "Fisheye's field" Linear(30.0, 360.0);
+        "camera.circle" "Fisheye's circle" Logarithmic(0.5, 4.0);
+        "camera.tilt_deg" "Tilt of the picture" Linear(-90.0, 90.0);
+        "camera.shift" "Shift of the picture" Plain;
     }
     folded "Method and quality" {
         "method" "Method" Plain;

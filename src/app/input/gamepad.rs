@@ -4,6 +4,7 @@
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::{Action, Control, FlightInput};
+use crate::app::state::kiosk::outside_kiosk;
 use crate::app::state::menu::Menu;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::toast::Toast;
@@ -122,7 +123,7 @@ impl Pads<'_, '_> {
 pub(crate) fn plugin(app: &mut App) {
     #[cfg(feature = "gamepad")]
     app.add_plugins(bevy_gilrs::GilrsPlugin);
-    app.add_systems(Update, announce_gamepads);
+    app.add_systems(Update, announce_gamepads.run_if(outside_kiosk));
 }
 
 /// Says which gamepads are connected and disconnected.

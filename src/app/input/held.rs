@@ -10,7 +10,7 @@ use bevy::prelude::*;
 /// The keys that were pressed with a modifier with which they mean a control. They do not fly until
 /// they are pressed again, even if the modifier is let go first.
 #[derive(Resource, Default)]
-pub(super) struct ClaimedKeys(pub(super) Vec<KeyCode>);
+pub(crate) struct ClaimedKeys(pub(super) Vec<KeyCode>);
 
 /// The controls that are held down.
 #[derive(SystemParam)]

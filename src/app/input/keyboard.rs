@@ -108,6 +108,9 @@ pub(super) fn apply_pressed_controls(
         .iter()
         .filter_map(|(control, _)| Some((control, button_action(control), pads.pressed(control)?)));
     for (control, action, input) in by_key.chain(by_button) {
+        if !commands.kiosk.allows(action) {
+            continue;
+        }
         match action {
             // Shift is a gear, too: whoever flies means the key without it.
             Action::Do(AppCommand::TakeControls) if is_thrusting(&keys, &bindings) => {

@@ -13,3 +13,4 @@ pub(crate) mod pointer;
 mod second_press;
 pub(crate) mod touch;
 pub(crate) mod typing;
+pub(crate) mod visitor;

@@ -6,7 +6,8 @@ use super::steering::is_inside;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::keyboard::undo_last_change;
-use crate::app::state::end_card::{EndCard, Way};
+use crate::app::state::end_card::{Closes, EndCard, Way};
+use crate::app::state::kiosk::Kiosk;
 use crate::app::state::lessons::{Lessons, OfferedLesson, StartJourney, next_lesson};
 use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
@@ -35,7 +36,7 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-fn apply_journey_commands(
+pub(super) fn apply_journey_commands(
     mut commands: MessageReader<AppCommand>,
     mut player: ResMut<JourneyPlayer>,
     mut editor: SceneEditor,
@@ -96,7 +97,7 @@ fn apply_journey_commands(
 
 /// Goes on from a stop, or back to the one before. The pause ends, so that a presenter's remote is
 /// enough.
-fn go_on_or_back(
+pub(super) fn go_on_or_back(
     mut commands: MessageReader<AppCommand>,
     mut player: ResMut<JourneyPlayer>,
     editor: SceneEditor,
@@ -194,7 +195,7 @@ pub(super) fn advance_journey(
     mut editor: SceneEditor,
     preferences: Res<Preferences>,
     bindings: Res<Bindings>,
-    (paused, shot): (Res<Paused>, Res<WindowShot>),
+    (paused, shot, kiosk): (Res<Paused>, Res<WindowShot>, Res<Kiosk>),
     mut end_card: ResMut<EndCard>,
     (mut lessons, mut offered): (ResMut<Lessons>, ResMut<OfferedLesson>),
 ) {
@@ -226,9 +227,14 @@ pub(super) fn advance_journey(
         FlightStep::Moved(next) => editor.fly(&next),
         FlightStep::Ended(next) => {
             editor.fly(&next);
+            let [title, ending] = player.last_words().map(|text| bindings.with_keys(text));
+            if kiosk.is_on() {
+                // The next journey begins by itself.
+                *end_card = EndCard::new(&title, &ending, Vec::new(), Closes::Anything);
+                return;
+            }
             let again = ("journey.again", "fly it again");
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
-            let [title, ending] = player.last_words().map(|text| bindings.with_keys(text));
             end_card.show(&title, &ending, again, fall);
             offered.0 = lesson_after(&player, &mut lessons);
             end_card.details = after_lesson(&player, offered.0.as_deref());

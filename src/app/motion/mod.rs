@@ -10,6 +10,7 @@ pub(crate) mod free_fall;
 pub(crate) mod hand;
 pub(crate) mod journey;
 pub(crate) mod journey_player;
+pub(crate) mod kiosk;
 pub(crate) mod lesson;
 pub(crate) mod orbit_camera;
 pub(crate) mod pause;

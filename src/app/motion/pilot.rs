@@ -11,6 +11,7 @@ use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
 use crate::app::input::touch::read_fingers;
 use crate::app::state::helm::Helm;
+use crate::app::state::kiosk::HiddenPointer;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
@@ -35,6 +36,14 @@ pub(crate) struct Pilot {
     was_locked: bool,
     /// Notches of the wheel in this frame that move the orbit camera or set the ship's thrust.
     pub(super) notches: f64,
+}
+
+impl Pilot {
+    /// Frees the mouse, and flies at the usual speed again.
+    pub(super) fn let_go(&mut self) {
+        (self.throttle, self.notches) = (1.0, 0.0);
+        (self.free_look, self.drags) = (false, false);
+    }
 }
 
 /// One notch of the wheel changes the speed by this factor, within a range.
@@ -109,7 +118,7 @@ pub(crate) fn grab_mouse(
     buttons: Res<ButtonInput<MouseButton>>,
     bindings: Res<Bindings>,
     mut pilot: ResMut<Pilot>,
-    mut toast: ResMut<Toast>,
+    (mut toast, hidden): (ResMut<Toast>, Res<HiddenPointer>),
     window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
 ) {
     let (window, mut cursor) = window.into_inner();
@@ -138,9 +147,10 @@ pub(crate) fn grab_mouse(
     } else {
         CursorGrabMode::None
     };
-    if cursor.grab_mode != mode || cursor.visible == locks {
+    let visible = !locks && !hidden.0;
+    if cursor.grab_mode != mode || cursor.visible != visible {
         cursor.grab_mode = mode;
-        cursor.visible = !locks;
+        cursor.visible = visible;
     }
 }
 

@@ -46,9 +46,7 @@ impl AdapterChoice {
             };
         }
         if gpu::adapters().iter().all(|listed| listed.name != wanted) {
-            return unused(format!(
-                "The settings name {wanted}, which was not found; the best adapter is used"
-            ));
+            return unused(not_found(&wanted));
         }
         // A system that has no folder for this file has no folder for settings either.
         let trial =
@@ -57,6 +55,27 @@ impl AdapterChoice {
         let used = Some(wanted);
         (Self { used, trial }, None)
     }
+}
+
+impl AdapterChoice {
+    /// As [`apply`](Self::apply), without a trial: a window for visitors writes no file.
+    pub(crate) fn apply_without_trial(preferences: &Preferences) -> (Self, Option<String>) {
+        let wanted = preferences.settings.adapter.clone();
+        let Some(wanted) = wanted.filter(|_| gpu::named_by_environment().is_none()) else {
+            return (Self::default(), None);
+        };
+        if gpu::adapters().iter().all(|listed| listed.name != wanted) {
+            return (Self::default(), Some(not_found(&wanted)));
+        }
+        gpu::prefer(Some(wanted.clone()));
+        let used = Some(wanted);
+        (Self { used, trial: None }, None)
+    }
+}
+
+/// What is said where there is no adapter of this name.
+fn not_found(wanted: &AdapterName) -> String {
+    format!("The settings name {wanted}, which was not found; the best adapter is used")
 }
 
 pub(crate) fn plugin(app: &mut App) {

@@ -13,7 +13,9 @@ pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
 pub(crate) mod handout_file;
 pub(crate) mod icon;
+pub(crate) mod kiosk;
 pub(crate) mod link;
+pub(crate) mod monitor;
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod page;
 pub(crate) mod pixel_look;

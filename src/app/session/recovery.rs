@@ -1,6 +1,7 @@
 //! After the loss of the graphics device: creates the user interface's resources on the new device,
 //! and reports the loss to the user.
 
+use crate::app::state::kiosk::outside_kiosk;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 use bevy::render::render_resource::SpecializedRenderPipelines;
@@ -14,7 +15,10 @@ pub(crate) fn plugin(app: &mut App) {
     recovery::plugin(app);
     app.add_systems(
         Update,
-        report_device_loss.run_if(resource_changed::<DeviceLosses>),
+        report_device_loss
+            .run_if(resource_changed::<DeviceLosses>)
+            // Visitors need not know.
+            .run_if(outside_kiosk),
     );
     // egui's own plugin creates these only once. They would still refer to buffers and pipelines
     // of the lost device.

@@ -1,5 +1,6 @@
 //! The window: its title, its size at the start, and the whole screen.
 
+use super::monitor::{Placement, cover, first_mode};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
@@ -18,9 +19,10 @@ const SIZE: [u32; 2] = [1440, 810];
 const MAX_MONITOR_SHARE: f32 = 0.94;
 
 /// The window in which a scene is opened.
-pub(crate) fn window_of(scene: &Scene) -> Window {
+pub(crate) fn window_of(scene: &Scene, placement: Placement) -> Window {
     Window {
         title: title(scene),
+        mode: first_mode(placement),
         name: Some("lightfall".into()),
         resolution: WindowResolution::new(SIZE[0], SIZE[1]),
         present_mode: PresentMode::AutoVsync,
@@ -77,6 +79,7 @@ fn toggle_full_screen(
 /// Makes the first window smaller where the monitor has no room for it. It keeps its shape.
 fn fit_to_monitor(
     monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
+    placement: Res<Placement>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut done: Local<bool>,
 ) {
@@ -89,6 +92,13 @@ fn fit_to_monitor(
     };
     *done = true;
     let room = monitor.physical_size();
+    if window.mode != WindowMode::Windowed {
+        // Another monitor than the first one comes to the window by itself.
+        if placement.monitor.is_none() {
+            cover(&mut window, monitor);
+        }
+        return;
+    }
     if window.physical_size().cmpgt(room).any() {
         let size = UVec2::from(SIZE).as_vec2();
         let scale = (MAX_MONITOR_SHARE * room.as_vec2() / size).min_element();

@@ -1,5 +1,6 @@
 //! What the player's hands fly: the camera, or the ship.
 
+use super::kiosk::Kiosk;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::helm::{ShipCommand, ship_command};
 use bevy::ecs::system::SystemParam;
@@ -37,16 +38,21 @@ pub(crate) fn plugin(app: &mut App) {
         .add_message::<ShipCommand>();
 }
 
-/// Sends commands to whom they are for: some are the ship's while the hands fly it.
+/// Sends commands to whom they are for: some are the ship's while the hands fly it. In a window for
+/// visitors only their commands are sent.
 #[derive(SystemParam)]
 pub(crate) struct CommandSender<'w> {
     pub(crate) helm: Res<'w, Helm>,
+    pub(crate) kiosk: Res<'w, Kiosk>,
     app: MessageWriter<'w, AppCommand>,
     ship: MessageWriter<'w, ShipCommand>,
 }
 
 impl CommandSender<'_> {
     pub(crate) fn send(&mut self, command: AppCommand) {
+        if !self.kiosk.allows_command(command) {
+            return;
+        }
         let for_ship = self.helm.has_ship();
         let is_over = *self.helm == Helm::MissionOver;
         let on_mission = is_over || *self.helm == Helm::Mission;

@@ -8,6 +8,8 @@ pub(crate) mod file_opener;
 pub(crate) mod helm;
 pub(crate) mod history;
 pub(crate) mod hole_in_view;
+pub(crate) mod kiosk;
+pub(crate) mod kiosk_round;
 pub(crate) mod lesson_draft;
 pub(crate) mod lesson_results;
 pub(crate) mod lessons;

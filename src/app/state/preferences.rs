@@ -6,7 +6,7 @@ use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::key_labels::KeyLabels;
 use bevy::prelude::*;
 use lightfall_platform::storage::settings_file;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The settings, and the file that they are kept in.
@@ -43,6 +43,31 @@ impl Preferences {
             },
             unused.map(|unused| unused.sentence),
         )
+    }
+
+    /// Reads the settings for a window for visitors, and leaves their file as it is, whatever they do. The
+    /// second value says what was wrong with the file. `volume` takes the place of the loudness, and no
+    /// keys are named for good.
+    pub(crate) fn for_visitors(volume: f64) -> (Self, Option<String>) {
+        let file = settings_file();
+        let read = file.as_deref().map_or(Ok(None), Settings::read_file);
+        let fault = read.as_ref().err().map(|fault| {
+            let file = file.as_deref().unwrap_or(Path::new("the settings"));
+            format!("{}: {fault}; default settings are used", file.display())
+        });
+        let settings = Settings {
+            volume,
+            key_hints: false,
+            keep_key_hints: true,
+            ..read.ok().flatten().unwrap_or_default()
+        };
+        let unkept = Self {
+            saved: settings.clone(),
+            settings,
+            file: None,
+            changed: None,
+        };
+        (unkept, fault)
     }
 
     fn save(&mut self) -> Result<(), String> {

@@ -145,6 +145,20 @@ impl SceneEditor<'_> {
         self.report(asker, loaded)
     }
 
+    /// Shows a scene as if the program had begun with it: nothing of before can be undone.
+    pub(crate) fn begin_anew(&mut self, start: &Scene) {
+        match Drawable::new(self.in_this_look(start.clone())) {
+            Ok(start) => {
+                let start = start.exposed();
+                *self.history = History::new(start.scene().clone());
+                self.file.0 = None;
+                self.title.close();
+                self.put(start);
+            }
+            Err(reason) => self.toast.say(undrawable(&reason, start)),
+        }
+    }
+
     /// The file that the scene was loaded from, or saved to.
     pub(crate) fn loaded_file(&self) -> Option<&Path> {
         self.file.0.as_deref()

@@ -11,7 +11,7 @@ use crate::app::ui::layout::Importance;
 use crate::app::ui::screen::{Screen, show_scrolled, text_box};
 use bevy::prelude::*;
 use bevy_egui::{EguiPrimaryContextPass, egui};
-use form::{Style, choose_form};
+use form::{Scrolls, Style, choose_form};
 
 /// Name of the card, which is its egui area.
 const NAME: &str = "end card";
@@ -97,7 +97,7 @@ fn show_end_card(
     ways.retain(|way| way.command.is_some() || !way.inputs.is_empty());
     let (card, ways): (&EndCard, &[ShownWay]) = (&end_card, &ways);
     let form = choose_form(context, layout, |ui, style| {
-        show(ui, (card, ways), style, f32::INFINITY)
+        show(ui, (card, ways), style, Scrolls::Nothing)
     });
     layout.take(NAME, form.place);
     let shown = egui::Area::new(NAME.into())
@@ -107,13 +107,13 @@ fn show_end_card(
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(form.width);
-            show(ui, (card, ways), form.style, form.words)
+            show(ui, (card, ways), form.style, form.scrolls)
         })
         .inner;
     // A card that scrolls may be dragged anywhere.
-    let kept = match form.words.is_finite() {
-        true => vec![form.place],
-        false => shown.buttons,
+    let kept = match form.scrolls {
+        Scrolls::Nothing => shown.buttons,
+        Scrolls::Words(_) | Scrolls::Everything(_) => vec![form.place],
     };
     let zoom = context.zoom_factor();
     let in_pixels = |place: egui::Rect| {
@@ -148,46 +148,60 @@ fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {
     egui::RichText::new(text).size(size).color(colour)
 }
 
-/// Shows the card. Words higher than `most` scroll, and the ways stay below them.
+/// Shows the card. Where its words scroll, the ways stay below them.
 fn show(
     ui: &mut egui::Ui,
     (card, ways): (&EndCard, &[ShownWay]),
     style: &Style,
-    most: f32,
+    scrolls: Scrolls,
 ) -> Shown {
-    let framed = text_box(style.margin, 8.0).show(ui, |ui| {
+    let mut shown = Shown {
+        used: None,
+        buttons: Vec::new(),
+        words: 0.0,
+    };
+    text_box(style.margin, 8.0).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = style.spacing;
-        let words = if most.is_finite() {
-            show_scrolled(ui, most, |ui| show_words(ui, card, style))
-        } else {
-            let shown = ui.scope(|ui| show_words(ui, card, style));
-            shown.response.rect.height()
-        };
-        let mut shown = Shown {
-            used: None,
-            buttons: Vec::new(),
-            words,
-        };
-        ui.add_space(style.gap);
-        if style.is_flat {
-            ui.horizontal_wrapped(|ui| {
-                for way in ways {
-                    show_way(ui, way, style, &mut shown);
-                    ui.add_space(6.0);
+        let mut show_all = |ui: &mut egui::Ui, most: Option<f32>| {
+            shown.words = match most {
+                Some(most) => show_scrolled(ui, most, |ui| show_words(ui, card, style)),
+                None => {
+                    let words = ui.scope(|ui| show_words(ui, card, style));
+                    words.response.rect.height()
                 }
-            });
-        } else {
-            let grid = egui::Grid::new("ways").num_columns(2);
-            grid.spacing([16.0, 5.0]).show(ui, |ui| {
-                for way in ways {
-                    show_way(ui, way, style, &mut shown);
-                    ui.end_row();
-                }
-            });
+            };
+            ui.add_space(style.gap);
+            show_ways(ui, ways, style, &mut shown);
+        };
+        match scrolls {
+            Scrolls::Nothing => show_all(ui, None),
+            Scrolls::Words(most) => show_all(ui, Some(most)),
+            Scrolls::Everything(most) => {
+                show_scrolled(ui, most, |ui| show_all(ui, None));
+            }
         }
-        shown
     });
-    framed.inner
+    shown
+}
+
+/// Shows the ways on: one below the other in the column, and in lines in the strip.
+fn show_ways(ui: &mut egui::Ui, ways: &[ShownWay], style: &Style, shown: &mut Shown) {
+    if style.is_flat {
+        ui.horizontal_wrapped(|ui| {
+            for way in ways {
+                show_way(ui, way, style, shown);
+                ui.add_space(6.0);
+            }
+        });
+        return;
+    }
+    let grid = egui::Grid::new("ways").num_columns(2);
+    grid.spacing([16.0, 5.0]).show(ui, |ui| {
+        for way in ways {
+            show_way(ui, way, style, shown);
+            ui.end_row();
+        }
+    });
 }
 
 /// Shows the keys of a way, and what it does.

@@ -11,7 +11,7 @@ use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::egui::{Color32, FontId, Painter, Rect, Stroke};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::Scene;
 use lightfall_platform::worker::Follower;
 use lightfall_render::{ComparedScene, DrawnScene, StarCatalogue};
 
@@ -47,7 +47,7 @@ pub(crate) fn plugin(app: &mut App) {
 
 /// Whether the picture shows stars of the catalogue.
 pub(super) fn has_stars(scene: &Scene) -> bool {
-    scene.sky.mode == SkyMode::Stars && scene.view.shows_light()
+    scene.sky.has_star_points() && scene.view.shows_light()
 }
 
 /// A scene with only the fields that decide where images of stars are on the observer's sky. With
@@ -57,7 +57,7 @@ fn sky_of(scene: &Scene) -> Scene {
         hole: scene.hole,
         observer: scene.observer,
         effects: scene.effects,
-        sky: scene.sky,
+        sky: scene.sky.clone(),
         ..Scene::default()
     };
     if scene.hole.spin != 0.0 && scene.effects.lensing {

@@ -7,6 +7,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::helm::{CommandSender, FingerPushes};
+use crate::app::state::kiosk::Kiosk;
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::layout::{GAP, Importance, Layout, Slide};
@@ -51,15 +52,32 @@ pub(crate) fn plugin(app: &mut App) {
 fn open_touch_bar(
     fingers: Res<Fingers>,
     overlays: Res<Overlays>,
-    menu: Res<Menu>,
+    (menu, kiosk): (Res<Menu>, Res<Kiosk>),
     mut bar: ResMut<TouchBar>,
 ) {
     if fingers.tap.is_some() && (bar.open || !overlays.shows_inspector()) {
         bar.open = !bar.open;
     }
-    if bar.open && menu.is_open() {
+    if bar.open && (menu.is_open() || kiosk.is_deserted()) {
         bar.open = false;
     }
+}
+
+/// The buttons that visitors may use. They leave the ship by a button of its own, because they have no
+/// menu.
+fn for_visitors(
+    buttons: Vec<(&'static str, Use)>,
+    at_helm: bool,
+    kiosk: &Kiosk,
+) -> Vec<(&'static str, Use)> {
+    let leave = ("Leave", Use::Command(AppCommand::TakeControls));
+    let allowed = |does: Use| match does {
+        Use::Push => true,
+        Use::Places | Use::Command(AppCommand::Escape) => false,
+        Use::Command(command) => kiosk.allows_command(command),
+    };
+    let allowed = buttons.into_iter().filter(|(_, does)| allowed(*does));
+    allowed.chain(at_helm.then_some(leave)).collect()
 }
 
 /// The buttons, with what is on them.
@@ -141,6 +159,10 @@ fn show_touch_bar(
         helm_buttons(&ship)
     } else {
         buttons(&overlays, free_fall.is_moving(), player.is_playing())
+    };
+    let buttons = match commands.kiosk.is_on() {
+        true => for_visitors(buttons, at_helm, &commands.kiosk),
+        false => buttons,
     };
     let remark = lack_of_push(&ship).filter(|_| at_helm);
     // Between the panels or, if they leave too little room, over them.

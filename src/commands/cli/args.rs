@@ -4,7 +4,7 @@ use super::farm::FarmArgs;
 use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
-use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
+use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, SkyMode, field};
 use lightfall_picture::{
     CHANNELS, ChannelNames, Channels, ExrCompression, FrameList, MissingValues, PngBits, frame_rate,
 };
@@ -68,6 +68,10 @@ pub struct SceneArgs {
     /// them in another order, and those of the HYG database and of Gaia's archive are known
     #[arg(long, value_name = "FILE")]
     pub stars: Option<PathBuf>,
+    /// Picture of the whole sky, twice as wide as high, in EXR, HDR, PNG or JPEG: short for --set
+    /// sky.mode=picture and sky.picture=FILE, applied after every --set
+    #[arg(long, value_name = "FILE")]
+    pub sky: Option<String>,
 }
 
 /// What `--dome` sets: a dome master whose hole is 30 degrees above the front of the spring line.
@@ -101,6 +105,41 @@ pub struct FlyArgs {
     /// them changes, for work on the shaders
     #[arg(long, value_name = "FOLDER")]
     pub shaders: Option<PathBuf>,
+    /// Open the window over the whole screen
+    #[arg(long)]
+    pub fullscreen: bool,
+    /// Open the window on this monitor; monitors are counted from 1 from the left
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..))]
+    pub monitor: Option<u8>,
+    /// Fly journeys in a loop over the whole screen, for visitors, who can fly, but neither close the window
+    /// nor write a file. Journeys are names or files; without any, the guided journey and `layers` are flown.
+    /// Ctrl+Shift+Q, held for three seconds, ends it
+    #[arg(long, value_name = "JOURNEY", num_args = 0.., help_heading = "Exhibition")]
+    pub kiosk: Option<Vec<PathBuf>>,
+    /// With --kiosk: go back to the start when a visitor has done nothing for so many seconds [default: 60]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(5..=3600),
+          help_heading = "Exhibition")]
+    pub idle: Option<u16>,
+    /// With --kiosk: the loudness of what a ship's pilot hears, from 0 to 100 [default: 0]
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u8).range(0..=100),
+          help_heading = "Exhibition")]
+    pub volume: Option<u8>,
+}
+
+impl FlyArgs {
+    /// The first given option that is for a window alone, other than those of the scene and the journey.
+    pub(super) fn window_option(&self) -> Option<&'static str> {
+        let options = [
+            ("--shaders", self.shaders.is_some()),
+            ("--fullscreen", self.fullscreen),
+            ("--monitor", self.monitor.is_some()),
+            ("--kiosk", self.kiosk.is_some()),
+            ("--idle", self.idle.is_some()),
+            ("--volume", self.volume.is_some()),
+        ];
+        let given = options.into_iter().find(|(_, is_given)| *is_given);
+        given.map(|(option, _)| option)
+    }
 }
 
 /// The arguments of `lightfall render`.
@@ -260,6 +299,7 @@ impl SceneArgs {
             cells: one(&self.cells, &after.cells)?,
             dome: self.dome || after.dome,
             stars: one(&self.stars, &after.stars)?,
+            sky: one(&self.sky, &after.sky)?,
         })
     }
 
@@ -289,6 +329,12 @@ impl SceneArgs {
             ),
             ("--samples", "picture.samples", self.samples.clone()),
             ("--cells", "picture.bypass", bypass.map(|on| on.to_string())),
+            (
+                "--sky",
+                "sky.mode",
+                self.sky.as_ref().map(|_| SkyMode::Picture.word().into()),
+            ),
+            ("--sky", "sky.picture", self.sky.clone()),
         ];
         let given = short
             .iter()

@@ -22,6 +22,7 @@ Examples:
   lightfall                                      fly, from preset 2
   lightfall --preset einstein-ring               fly, from another preset
   lightfall --preset graze                       fly a mission
+  lightfall --kiosk                              fly journeys in a loop, for visitors
   lightfall render --preset 2 -o disk.png        one picture
   lightfall render --preset 2 --aov all -o disk.exr     linear light, and the data of each pixel's ray
   lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey
@@ -73,6 +74,7 @@ pub enum Command {
         mut_arg("cells", |arg| arg.hide(true)),
         mut_arg("dome", |arg| arg.hide(true)),
         mut_arg("stars", |arg| arg.hide(true)),
+        mut_arg("sky", |arg| arg.hide(true)),
         after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes (outward, toward \
                             increasing theta, toward increasing phi), of any nonzero length. A header line is optional.\n\nThe output has one \
                             line per ray: outcome (sky, captured or unfinished); sky_*, the unit vector toward the source at \
@@ -148,8 +150,10 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
             .expect("every command has its name")
             .error(ErrorKind::ArgumentConflict, message)
     };
-    if before.shaders.is_some() {
-        return Err(conflict("--shaders is for flying, without a command"));
+    if let Some(option) = before.window_option() {
+        return Err(conflict(&format!(
+            "{option} is for flying, without a command"
+        )));
     }
     let (scene, mut journey) = (before.scene, before.journey);
     if let Command::Render(render) = &mut command {

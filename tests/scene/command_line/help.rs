@@ -87,7 +87,7 @@ fn the_help_of_render_lists_every_channel_with_both_names() {
 #[test]
 fn the_help_of_trace_offers_only_what_concerns_a_ray() {
     let help = text_of("lightfall trace --help");
-    for of_pictures in ["--samples", "--cells", "--stars"] {
+    for of_pictures in ["--samples", "--cells", "--stars", "--sky"] {
         assert!(!help.contains(of_pictures), "{of_pictures}: {help}");
     }
     // They are read all the same, because scene options may precede any command.

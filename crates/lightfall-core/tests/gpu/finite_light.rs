@@ -2,7 +2,7 @@
 
 use crate::gpu;
 use crate::random::Random;
-use crate::random_scene::random_scene;
+use crate::random_scene::{SKIES, random_scene};
 use glam::{UVec2, Vec4};
 use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, Variant, bindings};
@@ -74,7 +74,7 @@ fn the_light_of_every_pixel_of_random_scenes_is_finite_and_not_negative() {
     let mut random = Random::new();
     let mut lit = 0;
     for number in 0..SCENES {
-        let mut scene = random_scene(&mut random, &SkyMode::ALL).into_scene();
+        let mut scene = random_scene(&mut random, &SKIES).into_scene();
         [scene.picture.width, scene.picture.height] = SIZE.to_array();
         for (pixel, light) in pixels().zip(light(&scene)) {
             assert!(

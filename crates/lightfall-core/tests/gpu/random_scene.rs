@@ -8,6 +8,14 @@ use lightfall_core::scene::{
     DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, ObserverKind, Scene, SkyMode,
 };
 
+/// The skies that need no file.
+pub const SKIES: [SkyMode; 4] = [
+    SkyMode::Stars,
+    SkyMode::Procedural,
+    SkyMode::Grid,
+    SkyMode::Off,
+];
+
 /// A random scene that can be drawn, under one of these skies.
 pub fn random_scene(random: &mut Random, skies: &[SkyMode]) -> Drawable {
     loop {

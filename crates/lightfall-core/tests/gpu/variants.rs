@@ -45,7 +45,10 @@ pub fn every_variant() -> Vec<Variant> {
                 }
             }
         }
-        (scene.sky.mode, scene.view) = (SkyMode::Stars, View::Colour);
+        (scene.sky.mode, scene.sky.stars) = (SkyMode::Picture, true);
+        scene.view = View::Colour;
+        all.push(Variant::picture(&scene));
+        (scene.sky.mode, scene.sky.stars) = (SkyMode::Stars, false);
         for set in 0..32 {
             let [lensing, doppler, beaming, gravitational_shift, aberration] =
                 std::array::from_fn(|effect| set >> effect & 1 == 1);

@@ -54,6 +54,7 @@ mod ship_scenes;
 mod ship_seen_path;
 mod ship_stars;
 mod ship_values;
+mod sky_picture;
 mod sky_texel;
 mod sound;
 mod spectrum;

@@ -176,7 +176,7 @@ fn a_value_of_the_wrong_type_is_refused_with_the_right_type() {
         ),
         (
             "sky.mode = true",
-            "sky.mode = true is refused: it must be one of stars, procedural, grid, off",
+            "sky.mode = true is refused: it must be one of stars, procedural, grid, picture, off",
         ),
         (
             "name = 7",

@@ -65,7 +65,7 @@ impl Variant {
     fn neighbours_file(self) -> &'static str {
         let moves = (self.structure || self.knots) && self.entry != Entry::TimedLight;
         let compared =
-            moves || self.reference_star || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
+            moves || self.reference_star || self.sky.is_map() || self.sky == SkyMode::Grid;
         match self.entry {
             Entry::Refine => "neighbours/lanes.wgsl",
             Entry::Picture if compared => "neighbours/pixels.wgsl",
@@ -180,10 +180,11 @@ impl Variant {
             mode => Choice::of(file("sky", mode.word())),
         };
         let mut choices = vec![Choice::of("sky.wgsl")];
-        choices.push(match self.sky {
-            SkyMode::Stars => Choice::of("stars/sums.wgsl"),
-            _ => Choice::of("stars/none.wgsl"),
-        });
+        choices.push(Choice::of(if self.star_points {
+            "stars/sums.wgsl"
+        } else {
+            "stars/none.wgsl"
+        }));
         choices.push(Choice::of(if self.reference_star {
             "sky/reference_star.wgsl"
         } else {

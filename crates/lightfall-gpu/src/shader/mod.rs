@@ -76,6 +76,8 @@ pub struct Variant {
     pub throat: bool,
     /// The sky; off where none is drawn.
     pub sky: SkyMode,
+    /// Whether stars of the sky are drawn as points.
+    pub star_points: bool,
     /// Whether the sky needs directions turned from the frame of a tilted disk.
     pub turned_sky: bool,
     /// Whether the reference star is in the sky.
@@ -186,6 +188,7 @@ impl Variant {
             delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
             throat: needs_delay && has_throat(tracer, scene),
             sky,
+            star_points: !marks && scene.sky.has_star_points(),
             turned_sky: scene.disk.is_tilted() && sky.lies_in_hole_frame(),
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
@@ -266,6 +269,7 @@ impl Variant {
             entry: Entry::Passages { filters },
             antialias: false,
             sky: SkyMode::Off,
+            star_points: false,
             turned_sky: false,
             reference_star: false,
             delay_nodes: if filters {
@@ -291,6 +295,7 @@ impl Variant {
             delay_nodes: 0,
             throat: false,
             sky: SkyMode::Off,
+            star_points: false,
             turned_sky: false,
             reference_star: false,
             antialias: false,

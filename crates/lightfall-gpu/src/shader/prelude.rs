@@ -55,7 +55,7 @@ impl Variant {
         if self.entry == Entry::Refine {
             antialias::add_sizes(&mut text);
         }
-        if self.sky == SkyMode::Stars {
+        if self.sky.is_map() {
             starlight::add_constants(&mut text);
         }
         if !self.view.properties().traces {

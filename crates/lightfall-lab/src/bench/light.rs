@@ -79,8 +79,9 @@ impl Plan {
         method: Method,
     ) -> Result<LightMeasurement, GpuError> {
         let mut smooth = bench_scene.scene.with_method(method);
-        // The article's stars are drawn by each ray; real ones need passes of their own.
-        if smooth.sky.mode == SkyMode::Stars {
+        // The article's stars are drawn by each ray. Real ones need passes of their own, and maps of
+        // the sky need textures, which nothing that is timed alone reads.
+        if smooth.sky.mode.is_map() {
             smooth.sky.mode = SkyMode::Procedural;
         }
         let mut living = smooth.clone();

@@ -56,7 +56,7 @@ pub use fit::{drawn_at_once, fit, resized};
 pub use frame::{Frame, Part};
 pub use hint::nearest_name;
 pub use idle::{Idle, Output};
-pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyMode};
+pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyFrame, SkyMode};
 pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};
 pub use matter::THICKNESS_PIVOT;

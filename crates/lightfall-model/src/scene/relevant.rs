@@ -67,7 +67,7 @@ impl Scene {
     #[must_use]
     pub fn for_stars(&self) -> Self {
         let mut needed = self.without_shading();
-        needed.sky = self.sky;
+        needed.sky = self.sky.clone();
         if self.has_thick_disk() {
             needed.disk = self.disk;
             if !needed.disk_moves() {

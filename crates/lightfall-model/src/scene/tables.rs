@@ -16,7 +16,7 @@ use super::value::FieldValue;
 use super::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_FILE_SIDE,
     MAX_PICTURE_SIDE, MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, Projection, SCHEMA,
-    SkyMode, ToneCurve, View,
+    SkyFrame, SkyMode, ToneCurve, View,
 };
 
 /// A radius in the disk.
@@ -345,10 +345,18 @@ table! {
 
 table! {
     /// What lies at infinity.
-    #[derive(Copy)]
     pub struct Sky in (sky) {
         /// What is drawn at infinity.
         mode: SkyMode = SkyMode::default();
+        /// File of a picture of the whole sky, twice as wide as high, in EXR, HDR, PNG or JPEG: what
+        /// the mode `picture` shows.
+        picture: String = String::new();
+        /// Axes of this picture: its middle is at longitude 0, and longitudes grow to the left.
+        frame: SkyFrame = SkyFrame::default();
+        /// Whether this picture is seen from outside, so that its longitudes grow to the right.
+        mirror: bool = false;
+        /// Whether the stars of the catalogue are drawn in front of this picture.
+        stars: bool = false;
         /// Which stars: in mode `stars` those that are fainter than the catalogue's.
         seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
         /// Scale of the sky's light.

@@ -2,7 +2,7 @@
 
 use super::asset::{self, NUMBERS};
 use super::photograph::photographed;
-use crate::cube_map::{FACES, face_column_row, solid_angle};
+use crate::cube_map::{FACES, face_column_row, halved, solid_angle};
 use crate::stars::{ZERO_MAGNITUDE_FLUX, flux, temperature_from_b_v};
 use half::f16;
 use std::array;
@@ -103,29 +103,6 @@ impl MilkyWay {
 /// Bolometric flux of a star of V = 0 of each of the two temperatures.
 fn star_fluxes() -> [f64; 2] {
     MilkyWay::temperatures().map(|temperature| flux(0.0, temperature))
-}
-
-/// The next coarser level of texels, `size` a side: means of 2x2, weighted with solid angles.
-fn halved(texels: &[[f32; NUMBERS]], size: usize) -> Vec<[f32; NUMBERS]> {
-    let half = size / 2;
-    let of_face = half * half;
-    let mut coarser = vec![[0.0; NUMBERS]; FACES * of_face];
-    for texel in 0..of_face {
-        let (_, column, row) = face_column_row(half, texel);
-        let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, down)| {
-            let (column, row) = (2 * column + right, 2 * row + down);
-            (row * size + column, solid_angle(size, column, row))
-        });
-        let all: f64 = four.iter().map(|(_, weight)| weight).sum();
-        for face in 0..FACES {
-            coarser[face * of_face + texel] = array::from_fn(|i| {
-                let light = |at: usize| f64::from(texels[face * size * size + at][i]);
-                let sum: f64 = four.iter().map(|(at, weight)| weight * light(*at)).sum();
-                (sum / all) as f32
-            });
-        }
-    }
-    coarser
 }
 
 /// See [`MilkyWay::model`].

@@ -37,7 +37,7 @@ pub use folders::{
 pub use hash::{hash_of_file, hash_of_text};
 pub use opened::{
     Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
-    scene_by_name,
+    scene_by_name, with_whole_sky_path,
 };
 pub use picture_record::{PictureRecord, missing_stars};
 pub use scene_source::{

@@ -8,9 +8,12 @@ use lightfall_core::optics::ship::Attempt;
 use lightfall_core::scene::journey::{self, Journey, LESSONS};
 use lightfall_core::scene::mission::{self, MISSIONS, Mission};
 use lightfall_core::scene::presets::PRESETS;
-use lightfall_core::scene::{Override, Scene, load, nearest_name, presets};
+use lightfall_core::scene::{MAX_TEXT_CHARS, Override, Scene, load, nearest_name, presets};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+
+/// The field that names the picture of the sky.
+const SKY_PICTURE: &str = "sky.picture";
 
 /// What a name or a file opens.
 #[derive(Clone, Debug)]
@@ -114,7 +117,41 @@ pub fn open_contents(
         let journey = journey::load(&origin, &text)?;
         return Ok(Opened::Journey(Box::new(journey)));
     }
-    Ok(Opened::Scene(Box::new(load(&origin, &text, overrides)?)))
+    let scene = load(&origin, &text, overrides)?;
+    Ok(Opened::Scene(Box::new(with_sky_beside(
+        path, scene, overrides,
+    ))))
+}
+
+/// The scene with the path of its picture of the sky from where the program runs, if the preset names
+/// a file beside itself. A path of the command line, and one of no such file, stays as it is.
+fn with_sky_beside(preset: &Path, mut scene: Scene, overrides: &[Override]) -> Scene {
+    let named = Path::new(&scene.sky.picture);
+    let is_of_preset = !overrides.iter().any(|set| set.key == SKY_PICTURE);
+    let beside = preset.parent().map(|folder| folder.join(named));
+    let beside = beside.filter(|beside| {
+        is_of_preset && !scene.sky.picture.is_empty() && named.is_relative() && exists(beside)
+    });
+    if let Some(path) = beside.as_deref().and_then(Path::to_str)
+        && path.chars().count() <= MAX_TEXT_CHARS
+    {
+        scene.sky.picture = path.into();
+    }
+    scene
+}
+
+/// The scene for a preset file in another folder: the path of its picture of the sky is that from the
+/// root, where a field can hold it.
+#[must_use]
+pub fn with_whole_sky_path(mut scene: Scene) -> Scene {
+    if !scene.sky.picture.is_empty()
+        && let Ok(path) = std::path::absolute(&scene.sky.picture)
+        && let Some(path) = path.to_str()
+        && path.chars().count() <= MAX_TEXT_CHARS
+    {
+        scene.sky.picture = path.into();
+    }
+    scene
 }
 
 /// A mission that can be begun: there is a ship at its start, and its scene can be drawn.

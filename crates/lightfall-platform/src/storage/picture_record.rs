@@ -6,12 +6,16 @@ use super::panorama::panorama;
 use super::scene_source::MAX_PRESET_BYTES;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu::{AdapterName, driver};
+use lightfall_core::optics::sky_picture::SkyPicture;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{Output, Scene, presets};
 use std::ffi::OsStr;
 use std::path::Path;
 
-/// What stands in front of the hash in the text about stars.
+/// The name of the text about the picture that the sky shows.
+const SKY_KEY: &str = "lightfall.sky";
+
+/// What stands in front of the hash in the texts about stars and the sky.
 const HASH: &str = ", sha256 ";
 
 /// What a picture file says of how its picture was drawn.
@@ -20,7 +24,8 @@ pub struct PictureRecord {
     /// The scene as a preset.
     pub preset: String,
     /// The texts beside the preset, with their names: the version of the program, the list of stars
-    /// if the picture shows one, the graphics adapter and its driver. None is longer than 255 bytes.
+    /// and the picture of the sky if the picture shows one, the graphics adapter and its driver. None
+    /// is longer than 255 bytes.
     pub texts: Vec<(&'static str, String)>,
     /// For viewers of panoramas, in XMP, if the picture is one.
     pub panorama: Option<String>,
@@ -36,13 +41,18 @@ impl PictureRecord {
                 1 => "1 star".to_owned(),
                 count => format!("{count} stars"),
             };
-            let rest = format!(", {count}{HASH}{}", file.sha256);
-            let name = file.name.replace(char::is_control, "\u{fffd}");
-            format!("{}{rest}", start(&name, MAX_PIECE_BYTES - rest.len()))
+            named(&file.name, &format!(", {count}{HASH}{}", file.sha256))
+        });
+        let sky = SkyPicture::of(scene).ok().flatten();
+        let sky = sky.filter(|_| scene.view.shows_light()).map(|sky| {
+            let [width, height] = sky.size;
+            let rest = format!(", {width}x{height}{HASH}{}", sky.sha256);
+            named(&sky.name, &rest)
         });
         let texts = [
             ("lightfall.version", Some(env!("CARGO_PKG_VERSION").into())),
             (STARS_KEY, stars),
+            (SKY_KEY, sky),
             (
                 "lightfall.adapter",
                 adapter.map(|info| AdapterName::of(info).to_string()),
@@ -63,7 +73,13 @@ impl PictureRecord {
 
 /// Whether stars of the catalogue are in the scene's picture.
 fn shows_stars(scene: &Scene) -> bool {
-    scene.idle("sky.ra_deg", Output::Still).is_none()
+    scene.idle("sky.magnitude_limit", Output::Still).is_none()
+}
+
+/// The name of a file and the rest of the text about it, no longer than a header can hold.
+fn named(name: &str, rest: &str) -> String {
+    let name = name.replace(char::is_control, "\u{fffd}");
+    format!("{}{rest}", start(&name, MAX_PIECE_BYTES - rest.len()))
 }
 
 /// The first bytes of a text, at most this number.

@@ -11,7 +11,7 @@ use bevy::render::extract_resource::ExtractResource;
 use bevy::render::render_resource::ColorWrites;
 use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{Entry, Variant};
-use lightfall_core::scene::{Projection, Scene, SkyMode};
+use lightfall_core::scene::{Projection, Scene};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -124,7 +124,7 @@ pub(crate) fn select_geodesic_shaders(
             }
         };
         let refined = variant.refined();
-        let stars = if variant.sky == SkyMode::Stars {
+        let stars = if variant.star_points {
             Variant::star_kernels(scene)
         } else {
             Vec::new()

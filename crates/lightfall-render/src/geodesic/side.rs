@@ -2,6 +2,7 @@
 
 use super::inputs::InputBuffers;
 use super::queue::SidePipelines;
+use super::sky::{SkyOnGpu, SkyPictures};
 use crate::detail_limits::DetailLimits;
 use crate::draw_request::DrawRequest;
 use crate::graphics::{Graphics, create_buffer};
@@ -15,6 +16,7 @@ use lightfall_core::gpu::bindings::{
 use lightfall_core::gpu::{
     Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
 };
+use lightfall_core::optics::sky_picture::SkyPicture;
 use lightfall_core::scene::{Frame, Part, SkyMode};
 
 /// The numbers of a scene, and the pipelines that draw them.
@@ -24,6 +26,8 @@ pub(super) struct Side {
     inputs: InputBuffers,
     /// The stars; `None` where the sky has no real ones.
     stars: Option<SceneStars>,
+    /// The picture of the sky; `None` in other modes of the sky.
+    sky: Option<SkyOnGpu>,
     bind_group: Option<BindGroup>,
     pipelines: Option<SidePipelines>,
     /// Where the scene's own picture begins in the target, in pixels.
@@ -54,6 +58,7 @@ pub(super) struct Shared {
     milky_way: Option<TextureView>,
     sampler: Sampler,
     no_milky_way: TextureView,
+    pictures: SkyPictures,
     /// A uniform or a storage array that no shader reads.
     no_input: Buffer,
 }
@@ -64,6 +69,7 @@ impl Shared {
             milky_way: None,
             sampler: device.create_sampler(&SkyTexture::sampler()),
             no_milky_way: sky_texture(device, queue, false),
+            pictures: SkyPictures::default(),
             no_input: create_buffer(
                 device,
                 "no input",
@@ -108,9 +114,28 @@ impl Side {
         self.pipelines = Some(pipelines);
         self.max_pixels_of_call = max_pixels_of_call(scene);
         let new_stars = self.write_stars(scene, pipelines, new_inputs, writer);
-        if new_inputs || new_stars || self.bind_group.is_none() {
+        let new_sky = self.write_sky(scene, writer);
+        if new_inputs || new_stars || new_sky || self.bind_group.is_none() {
             self.bind_group = self.bind(writer);
         }
+    }
+
+    /// Writes the picture of the scene's sky. Returns whether another one than before is to be bound.
+    fn write_sky(&mut self, scene: &Drawable, writer: &mut SideWriter) -> bool {
+        let shown = scene.view.shows_light();
+        // A scene that can be drawn has its picture.
+        let picture = SkyPicture::of(scene).ok().flatten().filter(|_| shown);
+        let before = self.sky.take();
+        let is_new = match (&before, &picture) {
+            (Some(before), Some(picture)) => !before.shows(picture),
+            (before, picture) => before.is_some() != picture.is_some(),
+        };
+        self.sky = match picture {
+            Some(picture) if is_new => Some(writer.shared.pictures.get(&picture, writer.graphics)),
+            Some(_) => before,
+            None => None,
+        };
+        is_new
     }
 
     /// Writes the scene's stars. Returns whether other buffers than before are to be bound.
@@ -121,7 +146,7 @@ impl Side {
         new_inputs: bool,
         writer: &mut SideWriter,
     ) -> bool {
-        let shows_stars = scene.sky.mode == SkyMode::Stars && scene.view.shows_light();
+        let shows_stars = scene.sky.has_star_points() && scene.view.shows_light();
         if !shows_stars {
             return self.stars.take().is_some();
         }
@@ -134,10 +159,13 @@ impl Side {
             graphics,
             ..
         } = writer;
-        let new_texture = shared.milky_way.is_none();
-        shared
-            .milky_way
-            .get_or_insert_with(|| sky_texture(&graphics.device, &graphics.queue, true));
+        let is_milky_way = scene.sky.mode == SkyMode::Stars;
+        let new_texture = is_milky_way && shared.milky_way.is_none();
+        if is_milky_way {
+            shared
+                .milky_way
+                .get_or_insert_with(|| sky_texture(&graphics.device, &graphics.queue, true));
+        }
         let new_stars = self.stars.is_none();
         let stars = self
             .stars
@@ -164,6 +192,7 @@ impl Side {
         let shared = &*writer.shared;
         let stars = self.stars.as_ref();
         let milky_way = shared.milky_way.as_ref().filter(|_| stars.is_some());
+        let map = self.sky.as_ref().map(SkyOnGpu::view).or(milky_way);
         let no_input = &shared.no_input;
         let sums = stars.and_then(SceneStars::sums).unwrap_or(no_input);
         let rows = bindings::ALL.iter().filter(|row| row.in_picture);
@@ -172,9 +201,12 @@ impl Side {
                 SCENE => self.uniform.binding()?,
                 STARLIGHT => match stars {
                     Some(stars) => stars.starlight()?,
-                    None => no_input.as_entire_binding(),
+                    None => {
+                        let of_picture = self.inputs.buffer(STARLIGHT).unwrap_or(no_input);
+                        of_picture.as_entire_binding()
+                    }
                 },
-                MILKY_WAY => milky_way.unwrap_or(&shared.no_milky_way).into_binding(),
+                MILKY_WAY => map.unwrap_or(&shared.no_milky_way).into_binding(),
                 MILKY_WAY_SAMPLER => shared.sampler.into_binding(),
                 STAR_SUMS => sums.as_entire_binding(),
                 input => {

@@ -23,6 +23,7 @@ mod hands;
 mod help;
 mod inspector;
 mod keys;
+mod kiosk;
 mod latency;
 mod layout;
 mod layouts;

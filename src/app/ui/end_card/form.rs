@@ -1,5 +1,5 @@
 //! The form of the end card: a column beside the hole, a strip where there is room for one, and otherwise
-//! what fits, whose words scroll.
+//! what fits, whose words scroll, or all of it.
 
 use super::Shown;
 use crate::app::ui::layout::{Layout, Slide};
@@ -10,6 +10,8 @@ const MEASURED: &str = "end card, measured";
 /// Largest width of the column and of the strip, in points.
 const MAX_WIDTH: f32 = 330.0;
 const MAX_STRIP: f32 = 760.0;
+/// The least height in which words alone scroll, in points: two lines of the strip.
+const MIN_WORDS: f32 = 32.0;
 /// Height of which no card is, in points.
 const MAX_HEIGHT: f32 = 1e5;
 /// How many free places are tried for the strip, the largest first.
@@ -63,8 +65,15 @@ pub(super) struct Form {
     pub(super) place: Rect,
     /// The width in which its lines are wrapped.
     pub(super) width: f32,
-    /// The largest height of the words, beyond which they scroll. Infinite where all of them have room.
-    pub(super) words: f32,
+    pub(super) scrolls: Scrolls,
+}
+
+/// What scrolls of a card that is too high for its place, and the height in which it does, in points.
+#[derive(Clone, Copy)]
+pub(super) enum Scrolls {
+    Nothing,
+    Words(f32),
+    Everything(f32),
 }
 
 /// Chooses the form and the place of a card, which `show` shows.
@@ -79,7 +88,7 @@ pub(super) fn choose_form(
         style,
         place,
         width,
-        words: f32::INFINITY,
+        scrolls: Scrolls::Nothing,
     };
     let width = MAX_WIDTH.min(layout.bounds().width());
     let (column, _) = measure(&COLUMN, width);
@@ -103,11 +112,14 @@ pub(super) fn choose_form(
     let width = room.width().min(MAX_STRIP);
     let (strip, words) = measure(&STRIP, width);
     let size = strip.min(room.size());
+    let left = size.y - (strip.y - words);
     Form {
-        words: if size.y < strip.y {
-            size.y - (strip.y - words)
+        scrolls: if size.y >= strip.y {
+            Scrolls::Nothing
+        } else if left >= MIN_WORDS {
+            Scrolls::Words(left)
         } else {
-            f32::INFINITY
+            Scrolls::Everything(size.y - 2.0 * STRIP.margin)
         },
         ..whole(&STRIP, at_foot(size, room), width)
     }

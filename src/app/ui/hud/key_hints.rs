@@ -11,6 +11,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::helm::Helm;
+use crate::app::state::kiosk::Kiosk;
 use crate::app::state::preferences::Preferences;
 use crate::app::ui::layout::Slide;
 use crate::app::ui::screen::Screen;
@@ -179,7 +180,7 @@ pub(super) fn show_key_hints(
     preferences: Res<Preferences>,
     presence: Res<Presence>,
     (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
-    (helm, ship): (Res<Helm>, Res<ShipFlight>),
+    (helm, ship, kiosk): (Res<Helm>, Res<ShipFlight>, Res<Kiosk>),
 ) {
     // A newcomer's keys stay until they have been used.
     let named = preferences.settings.key_hints;
@@ -203,11 +204,14 @@ pub(super) fn show_key_hints(
         } else {
             DRIFT_KEYS.to_vec()
         }
-    } else if named {
+    } else if named || kiosk.is_on() {
         NEWCOMERS_KEYS.to_vec()
     } else {
         vec![ALL_KEYS]
     };
+    // What visitors may not do is not offered. They have no menu, which Esc opens elsewhere.
+    let allowed = |id: &&str| kiosk.allows_control(id) && !(kiosk.is_on() && *id == "fly.escape");
+    hints.retain(|(ids, ..)| ids.iter().all(allowed));
     while !hints.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
         put_hints(&mut board, &hints, &bindings);

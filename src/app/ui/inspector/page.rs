@@ -8,6 +8,7 @@ use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::handout_file::save_handout;
+use crate::app::state::kiosk::Kiosk;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
@@ -37,6 +38,7 @@ const VIEWPOINTS: [(Viewpoint, &str); 4] = [
 pub(super) fn show_inspector(
     mut contexts: EguiContexts,
     (preferences, player, ship): (Res<Preferences>, Res<JourneyPlayer>, Res<ShipFlight>),
+    kiosk: Res<Kiosk>,
     picture: PictureInWindow,
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
@@ -77,6 +79,10 @@ pub(super) fn show_inspector(
         };
         let (seen, sketch) = (&answer.scene, &mut inspector.sketch);
         ui.horizontal(|ui| {
+            // Visitors leave nothing on the machine.
+            if kiosk.is_on() {
+                return;
+            }
             if ui.button("Copy text").clicked() {
                 clipboard.copy(first.numbers.to_text());
                 toast.say("The ray's numbers are on the clipboard, as text");

@@ -3,18 +3,19 @@
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::pilot::Pilot;
 use crate::app::state::end_card::EndCard;
+use crate::app::state::kiosk::Kiosk;
 use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 
 /// Frees the mouse, or ends the photo mode, or closes the help, the card at the end of a flight or a
-/// panel, or opens the menu.
+/// panel, or opens the menu, which a window for visitors does not have.
 pub(super) fn apply_escape(
     mut commands: MessageReader<AppCommand>,
     mut pilot: ResMut<Pilot>,
     mut overlays: ResMut<Overlays>,
     mut end_card: ResMut<EndCard>,
-    mut menu: ResMut<Menu>,
+    (mut menu, kiosk): (ResMut<Menu>, Res<Kiosk>),
 ) {
     // Any key has closed some cards before this system runs.
     let closed_card = end_card.is_changed() && !end_card.is_open() && !end_card.is_added();
@@ -30,7 +31,7 @@ pub(super) fn apply_escape(
         overlays.help = false;
     } else if end_card.is_open() {
         end_card.close();
-    } else if !overlays.close_side() {
+    } else if !overlays.close_side() && !kiosk.is_on() {
         menu.open();
     }
 }

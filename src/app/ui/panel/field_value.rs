@@ -41,13 +41,7 @@ pub(super) fn show_value(
         (Kind::Choice(choices), Value::Word(word)) => {
             show_choices(ui, field.key, choices, (word, scene))
         }
-        (Kind::Text, Value::Text(text)) => {
-            let mut text = text.clone();
-            let edit = egui::TextEdit::singleline(&mut text)
-                .hint_text("none")
-                .desired_width(ui.available_width() - 8.0);
-            ui.add(edit).changed().then_some(Value::Text(text))
-        }
+        (Kind::Text, Value::Text(text)) => show_text(ui, field.key, text).map(Value::Text),
         (Kind::Float(_), Value::Float(number)) => {
             show_number(ui, field, shown, *number, range)?.map(Value::Float)
         }
@@ -63,6 +57,32 @@ pub(super) fn show_value(
         }
         _ => None,
     })
+}
+
+/// The field that names a file.
+const FILE: &str = "sky.picture";
+
+/// Shows a text, and returns it whenever a letter changes. The name of a file is returned only when
+/// its field is left, because half of a name is no file.
+fn show_text(ui: &mut egui::Ui, key: &str, text: &str) -> Option<String> {
+    let id = egui::Id::new(("text", key));
+    let draft: Option<String> = ui.data(|data| data.get_temp(id));
+    let mut typed = draft.clone().unwrap_or_else(|| text.to_owned());
+    let edit = egui::TextEdit::singleline(&mut typed)
+        .hint_text("none")
+        .desired_width(ui.available_width() - 8.0);
+    let response = ui.add(edit);
+    if key != FILE {
+        return response.changed().then_some(typed);
+    }
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+        return None;
+    }
+    draft?;
+    ui.data_mut(|data| data.remove::<String>(id));
+    let given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
+    (!given_up && typed != text).then_some(typed)
 }
 
 fn show_choices(

@@ -42,8 +42,9 @@ const STATISTICS: [&str; 2] = [
      the galaxy's plane, but at random places; and the light of a model of the galaxy.",
 ];
 
-const ART: [&str; 5] = [
+const ART: [&str; 6] = [
     "The contrast and the colours of the Milky Way, and the shapes and the brightness of its nebulae, after photographs.",
+    "How the light of a picture of your own is shifted: as that of a black body of its colour.",
     "The disk's brightness, its temperature and the light that it lets through.",
     "The contrast of the filaments, the streaks, and the size and strength of the hot spot.",
     "How fast the disk's clock runs.",

@@ -25,6 +25,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::ship::ShipFlight;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::state::file_opener::FileOpener;
+use crate::app::state::kiosk::outside_kiosk;
 use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
@@ -73,7 +74,13 @@ pub(crate) fn plugin(app: &mut App) {
         .init_resource::<Rebinding>()
         .init_resource::<SoundFault>()
         .add_plugins((machine_page::plugin, step_count::plugin))
-        .add_systems(Update, (presets_page::open_dropped_files, open_settings))
+        .add_systems(
+            Update,
+            (
+                presets_page::open_dropped_files.run_if(outside_kiosk),
+                open_settings,
+            ),
+        )
         .add_systems(EguiPrimaryContextPass, show_panel);
 }
 

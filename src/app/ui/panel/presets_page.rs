@@ -14,7 +14,7 @@ use lightfall_core::scene::presets;
 use lightfall_platform::IN_BROWSER;
 use lightfall_platform::storage::{
     Opened, create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
-    write_atomically,
+    with_whole_sky_path, write_atomically,
 };
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -211,7 +211,7 @@ impl PresetsPage {
 
     fn save(&mut self, editor: &mut SceneEditor, file: &Path) {
         self.replace = None;
-        let mut scene = editor.scene();
+        let mut scene = with_whole_sky_path(editor.scene());
         scene.name = stem(file).chars().take(MAX_NAME_LETTERS).collect();
         // The clock of a flight would do nothing where nothing moves.
         if !scene.disk_moves() {
