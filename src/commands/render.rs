@@ -3,9 +3,11 @@
 mod checks;
 mod cube;
 mod exr_options;
+mod farm;
 mod large;
 mod notes;
 mod pictures;
+mod resume;
 mod times;
 mod writer;
 
@@ -14,10 +16,12 @@ use self::checks::{
 };
 use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{channels, exr_form, exr_option, show_transparent};
+use self::farm::{check_farm, is_run, note_frame, nothing_to_draw, numbers, open_manifest};
 use self::large::tiling;
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
+use self::resume::left_to_draw;
 use self::times::{TIMED_FRAMES, print_times, write_times};
 use self::writer::PictureWriter;
 use super::camera;
@@ -32,6 +36,8 @@ use lightfall_core::scene::{Projection, Scene, resized};
 use lightfall_picture as picture;
 use lightfall_picture::{Format, HeadlessOptions, Studio};
 use lightfall_platform::log::say;
+use lightfall_platform::termination;
+use std::time::Instant;
 
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
@@ -42,9 +48,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
     let sequence = args
         .frames
-        .map(|frames| sequence(args, frames, &scene))
+        .as_ref()
+        .map(|frames| sequence(args, frames.ends(), &scene))
         .transpose()?;
-    let format = check_files(&args.out, sequence.as_ref())?;
+    let numbers = numbers(args);
+    let format = check_files(&args.out, sequence.as_ref(), &numbers)?;
+    check_farm(args, format)?;
     args.camera
         .iter()
         .try_for_each(|file| camera::check_file(file))?;
@@ -74,22 +83,35 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             "--alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have them",
         ));
     }
-    let pictures = Pictures {
+    let mut pictures = Pictures {
         format,
         scene,
         file: args.out.clone(),
         sequence,
         shutter: args.shutter,
+        numbers,
     };
     pictures.check()?;
     let channels = channels(args, &pictures)?;
     let form = exr_form(args);
+    let stars = stars(&args.scene)?;
+    let mut manifest = open_manifest(args, &pictures)?;
+    termination::watch();
+    if args.farm.resume {
+        let (form, manifest) = ((&channels, form), manifest.as_mut());
+        pictures.numbers = left_to_draw(&pictures, form, tiling.as_ref(), stars, manifest)?;
+    }
+    if pictures.numbers.is_empty() {
+        say(format_args!("lightfall: {}", nothing_to_draw(args)));
+        return Ok(());
+    }
     check_memory(&pictures, (&channels, form), tiling.as_ref())?;
     if let Some(tiling) = &tiling {
         check_space(&pictures, &channels, tiling)?;
     }
     if !args.camera.is_empty() {
-        let numbers: Vec<u32> = pictures.numbers().collect();
+        // Of all frames, whichever of them this run draws.
+        let numbers = args.frames.as_ref().map_or_else(Vec::new, |list| list.numbers().to_vec());
         let path = camera::path_of(&numbers, args.fps, &pictures.scene, |n| pictures.get(n).0)?;
         let mut files = args.camera.iter();
         files.try_for_each(|file| camera::write_path(file, &path))?;
@@ -106,7 +128,6 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_unseen_stars(args, &pictures.scene);
     note_darkness(&pictures.scene);
     let suspects = note_unused_options(args, &pictures);
-    let stars = stars(&args.scene)?;
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
@@ -114,7 +135,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         stars,
         ..HeadlessOptions::default()
     };
-    let (first_scene, _) = pictures.get(pictures.numbers().start);
+    let (first_scene, _) = pictures.get(pictures.first());
     let first_scene = drawn_at_once(&first_scene);
     let mut studio = match &tiling {
         Some(tiling) => {
@@ -141,7 +162,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         animation: None,
         still: None,
         frames: pictures.numbers().len() as u32,
-        fps: args.frames.map(|_| args.fps),
+        fps: args.frames.as_ref().map(|_| args.fps),
     };
     let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
@@ -154,7 +175,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
         writer.moments = pictures.moments(number);
+        let began = Instant::now();
         writer.write(&scene, &file)?;
+        if let Some(manifest) = &mut manifest {
+            let (files, time) = (files_of(&file), began.elapsed());
+            note_frame(manifest, (number, &files), time, &writer.studio)?;
+        }
         if format != Format::Apng {
             let name = || {
                 let mut files = files_of(&file).into_iter();
@@ -195,6 +221,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
         && !is_of_side(&args.out)
+        && is_run(args)
     {
         say(format_args!(
             "lightfall: a video of them: {}",

@@ -8,6 +8,9 @@ mod comparison;
 mod dither;
 mod embedded;
 mod exr_file;
+mod farm;
+#[cfg(unix)]
+mod farm_runs;
 mod finite;
 mod idle;
 mod layers;

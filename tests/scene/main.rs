@@ -23,7 +23,10 @@ mod doctor;
 mod edge_view;
 #[cfg(target_os = "linux")]
 mod equal_adapters;
+mod exit_status;
 mod failures;
+#[cfg(target_os = "linux")]
+mod farm_scripts;
 #[cfg(target_os = "linux")]
 mod file_dialog;
 mod file_names;

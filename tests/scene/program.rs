@@ -121,6 +121,14 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --alpha: only the view \"colour\" has light to divide, and view is \"redshift\"\n",
         ),
         (
+            "render --frames 0..9 --shard 1/4 -o a.apng",
+            "lightfall: --shard is for pictures in files of their own: the name must end in .png or .exr\n",
+        ),
+        (
+            "render --frames 0..9 --resume -o a.apng",
+            "lightfall: --resume is for pictures in files of their own: the name must end in .png or .exr\n",
+        ),
+        (
             "render --frames 0..1 -o a.apng --aov depth --nan zero",
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),

@@ -124,6 +124,10 @@ fn a_folder_that_accepts_no_files_is_found_before_any_work_is_done() {
                 "/proc/x-0000.png: cannot be written: the folder accepts no new files",
             ),
             (
+                "render --frames 0..9 --shard 3/4 --resume -o /proc/x.png",
+                "/proc/x-0002.png: cannot be written: the folder accepts no new files",
+            ),
+            (
                 "render --timings=/dev/null -o a.png",
                 "/dev/null: cannot be written: it is not a regular file",
             ),

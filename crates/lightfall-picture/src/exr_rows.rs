@@ -2,6 +2,7 @@
 //! [`write_exr`](super::write_exr) writes.
 
 use super::file::PictureError;
+use super::headless::check_not_asked_to_end;
 use super::open_exr::{Linear, file_attributes, layer};
 use super::{Channels, ExrCompression, exr_header};
 use exr::block::chunk::Chunk;
@@ -64,6 +65,8 @@ pub(super) fn write_exr_rows(
         |meta, chunks| {
             let header = &meta.headers[0];
             let drawn = draw(&mut |light, samples| {
+                // The rays of a strip take as long as its picture, which asks for itself.
+                check_not_asked_to_end()?;
                 let in_block = header.compression.scan_lines_per_block();
                 let rows = picture.with_rows((blocks * in_block) as u32, light, samples);
                 let encoded = encoded(rows, header, blocks)

@@ -2,6 +2,7 @@
 
 use super::Still;
 use glam::UVec2;
+use lightfall_core::gpu::GpuError;
 use lightfall_core::scene::MAX_PICTURE_SIDE;
 use lightfall_platform::storage::{
     PictureRecord, WriteError, check_writable, encoded_png, write_atomically,
@@ -45,9 +46,24 @@ pub enum PictureError {
     /// The chain of passes failed.
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
+    /// The graphics device was lost, or has too little free memory for now.
+    #[error("{0}; the same command may succeed later, or on another machine")]
+    Device(String),
     /// The user interrupted the program.
     #[error("interrupted; every picture that was written is complete")]
     Interrupted,
+    /// The system or a scheduler asked the program to end.
+    #[error("asked to end (SIGTERM); every picture that was written is complete")]
+    Terminated,
+}
+
+impl From<GpuError> for PictureError {
+    fn from(error: GpuError) -> Self {
+        match error {
+            GpuError::Device(_) | GpuError::OutOfMemory(_) => Self::Device(error.to_string()),
+            _ => Self::Draw(error.to_string()),
+        }
+    }
 }
 
 impl PictureError {

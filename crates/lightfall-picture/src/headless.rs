@@ -7,6 +7,7 @@ use bevy::camera::RenderTarget;
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
@@ -16,6 +17,7 @@ use lightfall_core::gpu::{Drawable, driver_advice};
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, Part, Scene};
 use lightfall_platform::log::quiet_log;
+use lightfall_platform::termination;
 use lightfall_render::{
     AwaitErrorMap, Capture, CurrentFrame, LightfallRenderPlugin, Prints, Progress, RestingFrames,
     StarCatalogue, is_drawn, render_plugin,
@@ -105,7 +107,8 @@ pub(super) fn headless(
     if options.light {
         app.init_resource::<Capture>();
     }
-    app.insert_resource(AwaitErrorMap(true));
+    app.insert_resource(AwaitErrorMap(true))
+        .insert_resource(RenderErrorHandler(end_with_fault));
     if let Some(top) = options.levels {
         app.insert_resource(Prints::to(top));
     }
@@ -145,9 +148,36 @@ pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> 
     Ok(())
 }
 
+/// Why the device draws no more, if it may draw again later.
+#[derive(Resource)]
+struct PassingFault(&'static str);
+
+/// Ends the app after an error of the device, and notes whether another attempt may succeed.
+fn end_with_fault(error: &RenderError, main: &mut World, _: &mut World) -> RenderErrorPolicy {
+    let fault = match error.ty {
+        ErrorType::DeviceLost => Some("the graphics device was lost"),
+        ErrorType::OutOfMemory => Some("the graphics device has too little free memory"),
+        ErrorType::Validation | ErrorType::Internal => None,
+    };
+    if let Some(fault) = fault {
+        main.insert_resource(PassingFault(fault));
+    }
+    main.write_message(AppExit::error());
+    RenderErrorPolicy::StopRendering
+}
+
+/// Checks that nothing has asked the program to end.
+pub(super) fn check_not_asked_to_end() -> Result<(), PictureError> {
+    if termination::is_asked() {
+        return Err(PictureError::Terminated);
+    }
+    Ok(())
+}
+
 impl Studio {
     /// Draws a frame and waits until the device is done.
     pub(super) fn update(&mut self) -> Result<(), PictureError> {
+        check_not_asked_to_end()?;
         self.app.update();
         match self.app.should_exit() {
             None | Some(AppExit::Success) => {}
@@ -155,6 +185,9 @@ impl Studio {
                 return Err(PictureError::Interrupted);
             }
             Some(AppExit::Error(_)) => {
+                if let Some(PassingFault(fault)) = self.app.world().get_resource::<PassingFault>() {
+                    return Err(PictureError::Device((*fault).into()));
+                }
                 return Err(PictureError::Draw(format!(
                     "the graphics device reported an error, which the log names: {}, or choose another adapter with --gpu",
                     driver_advice::with_old_driver(OS)

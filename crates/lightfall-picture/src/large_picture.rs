@@ -204,7 +204,7 @@ impl LargePicture<'_> {
                     let mut samples = match &mut rays {
                         Some(rays) => rays
                             .sample_rows(self.scene, channels, top..top + size.y, &next.depth)
-                            .map_err(|error| PictureError::Draw(error.to_string()))?,
+                            .map_err(PictureError::from)?,
                         None => Vec::new(),
                     };
                     samples.extend(next.layers);

@@ -1,61 +1,16 @@
 //! Sequences: journeys, or a disk that moves, as numbered pictures.
 
+use super::Frames;
 use lightfall_core::numbers::number_with_comma;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
-
-/// Maximum number of frames of one run: an hour and a half at 24 frames per second.
-const MAX_FRAMES: u32 = 130_000;
-
-/// Maximum number of a frame: nine digits.
-const MAX_NUMBER: u32 = 999_999_999;
 
 /// Minimum and maximum of the frames per second.
 const FRAME_RATES: [f64; 2] = [0.01, 1000.0];
 
 /// Number of digits of a frame's number if the file's name has no `#`.
 const DEFAULT_DIGITS: usize = 4;
-
-/// A range of frames, by number, with both ends included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Frames {
-    /// Number of the first frame.
-    pub first: u32,
-    /// Number of the last frame.
-    pub last: u32,
-}
-
-impl FromStr for Frames {
-    type Err = String;
-
-    /// Reads `A..B`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| {
-            let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            // More digits than the type holds are more than enough, too.
-            is_number.then(|| text.parse::<u32>().unwrap_or(u32::MAX))
-        };
-        let (first, last) = text.split_once("..").unwrap_or_default();
-        match (number(first), number(last)) {
-            (Some(_), Some(last)) if last > MAX_NUMBER => {
-                Err(format!("the number of a frame is at most {MAX_NUMBER}"))
-            }
-            (Some(first), Some(last)) if first <= last && last - first < MAX_FRAMES => {
-                Ok(Self { first, last })
-            }
-            (Some(first), Some(last)) if first <= last => Err(format!(
-                "these are {} frames, and one run draws at most {MAX_FRAMES}",
-                last - first + 1
-            )),
-            _ => Err(
-                "frames are A..B, such as 0..149: whole numbers, A not above B, both included"
-                    .into(),
-            ),
-        }
-    }
-}
 
 /// Reads a number of frames per second.
 ///
@@ -81,7 +36,7 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
 pub struct Sequence {
     /// The journey; `None` for a camera that stays where it is.
     pub journey: Option<Journey>,
-    /// The frames. Frame k shows the scene k / fps seconds after the start.
+    /// The first and the last of the frames. Frame k shows the scene k / fps seconds after the start.
     pub frames: Frames,
     /// Frames per second.
     pub fps: f64,
@@ -175,6 +130,16 @@ impl Sequence {
         Some((journey.duration * self.fps).ceil())
     }
 
+    /// A file beside the pictures: their name without the number, with this ending.
+    #[must_use]
+    pub fn beside(&self, ending: &str) -> PathBuf {
+        let [before, _] = &self.name;
+        let stem = Some(before.trim_end_matches(['-', '_', '.']))
+            .filter(|stem| !stem.is_empty())
+            .unwrap_or("lightfall");
+        self.folder.join(format!("{stem}{ending}"))
+    }
+
     /// The shell command line with which `ffmpeg` makes a video of pictures of this size.
     #[must_use]
     pub fn ffmpeg(&self, width: u32, height: u32) -> String {
@@ -183,10 +148,7 @@ impl Sequence {
         let folder = self.folder.to_string_lossy();
         let numbered = format!("{}%0{}d{}", name(before), self.digits, name(after));
         let input = Path::new(&name(&folder)).join(numbered);
-        let stem = Some(before.trim_end_matches(['-', '_', '.']))
-            .filter(|stem| !stem.is_empty())
-            .unwrap_or("lightfall");
-        let output = self.folder.join(format!("{stem}.mp4"));
+        let output = self.beside(".mp4");
         // Linear light is converted to sRGB's curve, and common video formats need even sides.
         let linear = after
             .to_lowercase()

@@ -1,11 +1,12 @@
 //! The arguments of flying, of `lightfall render`, `trace` and `presets`, and of scenes.
 
+use super::farm::FarmArgs;
 use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, SkyMode, field};
 use lightfall_picture::{
-    CHANNELS, ChannelNames, Channels, ExrCompression, Frames, MissingValues, PngBits, Transparent,
+    CHANNELS, ChannelNames, Channels, ExrCompression, FrameList, MissingValues, PngBits, Transparent,
     frame_rate, shutter_time,
 };
 use std::ffi::OsString;
@@ -184,9 +185,10 @@ pub struct RenderArgs {
     pub exr: Option<String>,
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
     /// frame A to frame B inclusive; an .apng holds all of them. Frames after the end show the end.
-    /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0
+    /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0. A list
+    /// has commas, and A..B:S takes every S-th frame, as in 0..9,20,30..300:10
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
-    pub frames: Option<Frames>,
+    pub frames: Option<FrameList>,
     /// Frames per second
     #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
           allow_negative_numbers = true)]
@@ -209,6 +211,9 @@ pub struct RenderArgs {
     /// file
     #[arg(long, value_name = "FILE", conflicts_with = "frames", num_args = 0..=1, require_equals = true)]
     pub timings: Option<Option<PathBuf>>,
+    /// The part of a sequence that this process draws.
+    #[command(flatten)]
+    pub farm: FarmArgs,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

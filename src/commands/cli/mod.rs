@@ -1,6 +1,7 @@
 //! The arguments of every command.
 
 mod args;
+mod farm;
 mod measure;
 mod number;
 mod paths;
@@ -9,6 +10,7 @@ mod size;
 pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
+pub use farm::FarmArgs;
 pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
 pub use paths::{CameraArgs, CaptionsArgs};
 
@@ -32,7 +34,7 @@ Examples:
 
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
 error. Exit status: 0 everything was done, 2 a bad command line, preset, journey or file of rays, 130 an
-interruption, 1 any other failure.";
+interruption, 143 after SIGTERM, 75 try again later, 1 any other failure.";
 
 /// The text below the help: examples and, in a build without gamepads, a note.
 fn after_help() -> String {

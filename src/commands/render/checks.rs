@@ -7,7 +7,7 @@ use crate::commands::cli::{Cells, RenderArgs};
 use crate::commands::stop::Stop;
 use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
-use lightfall_picture::{Channels, ExrForm, Format, Frames, PictureError, Sequence};
+use lightfall_picture::{Channels, ExrForm, Format, PictureError, Sequence};
 use lightfall_platform::memory::free_memory;
 use lightfall_platform::storage;
 use std::path::{Path, absolute};
@@ -77,7 +77,7 @@ pub(super) fn check_memory(
         ),
     };
     match free_memory() {
-        Some(free) if free < needed => Err(Stop::failed(format!(
+        Some(free) if free < needed => Err(Stop::try_again(format!(
             "a picture of {} x {} pixels{channels} needs about {} of memory, and {} are free; give a smaller \
              --size{or_fewer}",
             size.x,
@@ -102,7 +102,7 @@ pub(super) fn check_space(
         Format::Exr => picture::exr_pixel_bytes(channels),
         Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
     };
-    let number = pictures.numbers().len() as u64;
+    let number = pictures.numbers.len() as u64;
     let keeps_light = tiling.sweeps(pictures).any(|sweeps| sweeps > 1);
     let light = if keeps_light {
         picture::LIGHT_BYTES as u64
@@ -115,9 +115,9 @@ pub(super) fn check_space(
         1 => "a picture".to_owned(),
         _ => format!("a sequence of {number} pictures"),
     };
-    let (_, file) = pictures.get(pictures.numbers().start);
+    let (_, file) = pictures.get(pictures.first());
     match storage::free_space(&file) {
-        Some(free) if free < needed => Err(Stop::failed(format!(
+        Some(free) if free < needed => Err(Stop::try_again(format!(
             "{}: {what} of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
              give a smaller --size, or another folder",
             file.display(),
@@ -219,16 +219,20 @@ pub(super) fn check_shutter(
 }
 
 /// Checks that every picture can be written, before any work is done for one that could not be, and
-/// returns their format.
-pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {
+/// returns their format. `numbers` are those of the sequence's frames that are drawn.
+pub(super) fn check_files(
+    out: &Path,
+    sequence: Option<&Sequence>,
+    numbers: &[u32],
+) -> Result<Format, PictureError> {
     let format = Format::of(out)?;
     match sequence {
         Some(sequence) if format != Format::Apng => {
-            let Frames { first, last } = sequence.frames;
-            for file in files_of(&sequence.file(first)) {
+            let files = |number: &u32| files_of(&sequence.file(*number));
+            for file in numbers.first().into_iter().flat_map(files) {
                 picture::check_path(&file)?;
             }
-            for file in (first..=last).flat_map(|number| files_of(&sequence.file(number))) {
+            for file in numbers.iter().flat_map(files) {
                 storage::check_name(&file)?;
             }
         }

@@ -27,13 +27,19 @@ pub(super) fn is_of_side(file: &Path) -> bool {
     name.to_string_lossy().contains(FACE)
 }
 
-fn file_of(file: &Path, side: &CubeSide) -> PathBuf {
+pub(super) fn file_of(file: &Path, side: &CubeSide) -> PathBuf {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     file.with_file_name(name.replace(FACE, side.name))
 }
 
+/// A file that is about all sides, of a name that may stand for those of the sides.
+pub(super) fn file_of_all(file: &Path) -> PathBuf {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    file.with_file_name(name.replace(FACE, "cube"))
+}
+
 /// The layout of a file of this format.
-fn layout(format: Format, file: &Path) -> CubeLayout {
+pub(super) fn layout(format: Format, file: &Path) -> CubeLayout {
     match format {
         Format::Exr if !is_of_side(file) => CubeLayout::COLUMN,
         _ => CubeLayout::THREE_BY_TWO,
@@ -42,7 +48,7 @@ fn layout(format: Format, file: &Path) -> CubeLayout {
 
 /// The number of pixels along the edges of the cube in a scene's picture, which has the shape of
 /// [`CubeLayout::THREE_BY_TWO`].
-fn side_of(scene: &Scene) -> u32 {
+pub(super) fn side_of(scene: &Scene) -> u32 {
     (scene.picture.width / CubeLayout::THREE_BY_TWO.columns).max(1)
 }
 

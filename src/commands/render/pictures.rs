@@ -8,7 +8,6 @@ use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{Format, Frames, Sequence};
 use lightfall_platform::log::say;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 pub(super) fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
@@ -57,15 +56,18 @@ pub(super) struct Pictures {
     pub(super) sequence: Option<Sequence>,
     /// How long the shutter is open, as a share of the time from one frame to the next.
     pub(super) shutter: Option<f64>,
+    /// The numbers of the frames that are drawn, in this order; one for a single picture.
+    pub(super) numbers: Vec<u32>,
 }
 
 impl Pictures {
-    pub(super) fn numbers(&self) -> Range<u32> {
-        self.sequence
-            .as_ref()
-            .map_or(0..1, |Sequence { frames, .. }| {
-                frames.first..frames.last + 1
-            })
+    pub(super) fn numbers(&self) -> impl ExactSizeIterator<Item = u32> {
+        self.numbers.iter().copied()
+    }
+
+    /// The number of the first picture.
+    pub(super) fn first(&self) -> u32 {
+        self.numbers.first().copied().unwrap_or_default()
     }
 
     pub(super) fn get(&self, number: u32) -> (Scene, PathBuf) {
@@ -94,7 +96,7 @@ impl Pictures {
     /// Checks that all pictures can be drawn, so that the last frame of a long sequence does not
     /// come as a surprise.
     pub(super) fn check(&self) -> Result<(), Stop> {
-        drawable(&self.get(self.numbers().start).0)?;
+        drawable(&self.get(self.first()).0)?;
         let Some(sequence) = &self.sequence else {
             return Ok(());
         };

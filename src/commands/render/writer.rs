@@ -184,8 +184,8 @@ impl PictureWriter {
             Some(rays) => rays,
             none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
         };
-        rays.sample(scene, &self.channels, depth)
-            .map_err(Stop::failed)
+        let samples = rays.sample(scene, &self.channels, depth);
+        samples.map_err(|error| PictureError::from(error).into())
     }
 
     /// Writes the light and the numbers of the channels of a scene's picture.

@@ -53,9 +53,14 @@ fn render_reads_channels_timings_and_frames() {
         panic!()
     };
     let frames = render.frames.unwrap();
-    assert_eq!((frames.first, frames.last, render.fps), (10, 20, 23.976));
+    let ends = frames.ends();
+    assert_eq!((ends.first, ends.last, render.fps), (10, 20, 23.976));
+    assert_eq!(frames.run(), Some(ends));
     assert_eq!(render.journey.as_deref(), Some(Path::new("j.toml")));
-    for frames in ["3..2", "5", "..", "-1..2", "0..x", "0...9", "+1..2", "a..b"] {
+    for frames in [
+        "3..2", "", "..", "-1..2", "0..x", "0...9", "+1..2", "a..b", "1,", ",1", "1,,2", "5-3",
+        "0..9,x",
+    ] {
         let error = refuse(&format!("lightfall render -o a.png --frames={frames}")).to_string();
         assert!(error.contains("frames are A..B"), "{error}");
     }
@@ -93,6 +98,54 @@ fn render_reads_channels_timings_and_frames() {
         "lightfall --journey j.toml trace --rays -",
     ] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict, "{line}");
+    }
+}
+
+#[test]
+fn shards_steps_and_the_rest_of_a_farm_are_refused_in_words_that_say_what_is_allowed() {
+    let farm = |options: &str| match read(&format!("lightfall render -o a.png {options}")) {
+        Command::Render(render) => render.farm,
+        _ => panic!("{options}"),
+    };
+    let shard = farm("--frames 0..9 --shard 2/4 --manifest").shard.unwrap();
+    assert_eq!((shard.number, shard.count), (2, 4));
+    assert!(farm("--frames 0..9 --resume").resume);
+    for shard in [
+        "0/4",
+        "5/4",
+        "a/b",
+        "1/0",
+        "0/0",
+        "1",
+        "1/",
+        "/4",
+        "-1/4",
+        "1/4/4",
+        "1.5/4",
+        "1/130001",
+        "99999999999/4",
+    ] {
+        let line = format!("lightfall render -o a.png --frames 0..9 --shard={shard}");
+        let error = refuse(&line).to_string();
+        assert!(
+            error.contains("a shard is K/N, such as 1/4") && error.contains("K from 1 to N"),
+            "{error}"
+        );
+    }
+    for step in ["0", "-1", "x", "", "1.5", "99999999999"] {
+        for mark in [":", "x"] {
+            let line = format!("lightfall render -o a.png --frames=0..9{mark}{step}");
+            let error = refuse(&line).to_string();
+            assert!(
+                error.contains("the step of frames is a whole number from 1"),
+                "{error}"
+            );
+        }
+    }
+    for option in ["--shard 1/4", "--resume", "--manifest"] {
+        let error = refuse(&format!("lightfall render -o a.png {option}"));
+        assert_eq!(error.kind(), ErrorKind::MissingRequiredArgument);
+        assert!(error.to_string().contains("--frames <A..B>"), "{error}");
     }
 }
 

@@ -71,7 +71,8 @@ pub fn embedded_preset(bytes: &[u8]) -> Option<String> {
 }
 
 /// The text of this name in a PNG or EXR picture, as [`embedded_preset`].
-pub(super) fn embedded_text(bytes: &[u8], key: &str) -> Option<String> {
+#[must_use]
+pub fn embedded_text(bytes: &[u8], key: &str) -> Option<String> {
     if bytes.starts_with(PNG_SIGNATURE) {
         in_png(bytes, key)
     } else {

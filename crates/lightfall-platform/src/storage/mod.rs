@@ -6,6 +6,8 @@ mod embedded_preset;
 mod file_name;
 mod files;
 mod folders;
+#[cfg(not(target_arch = "wasm32"))]
+mod hash;
 mod opened;
 mod panorama;
 mod picture_record;
@@ -13,12 +15,13 @@ mod scene_source;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics, unless_it_panics};
 pub use embedded_preset::{
-    embedded_preset, encoded_png, header_text, is_picture, preset_pieces, set_up_png,
+    embedded_preset, embedded_text, encoded_png, header_text, is_picture, preset_pieces, set_up_png,
 };
 pub use file_name::file_safe_name;
 #[cfg(not(target_arch = "wasm32"))]
 pub use files::{
-    NewFile, check_folder_writable, check_name, check_writable, free_space, scratch_file,
+    NewFile, check_folder_writable, check_name, check_writable, free_space, remove_unfinished,
+    scratch_file,
 };
 pub use files::{
     TextError, WriteError, create_parent_folder, exists, read_text, remove, rename, text_of,
@@ -30,6 +33,8 @@ pub use folders::{
     lesson_results_file, lessons_folder, mission_results_file, missions_folder, preset_files,
     presets_folder, settings_file,
 };
+#[cfg(not(target_arch = "wasm32"))]
+pub use hash::{hash_of_file, hash_of_text};
 pub use opened::{
     Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,
     scene_by_name, with_whole_sky_path,

@@ -20,6 +20,6 @@ pub use disk::{
 };
 
 #[cfg(not(target_arch = "wasm32"))]
-pub use new_file::{NewFile, free_space, scratch_file};
+pub use new_file::{NewFile, free_space, remove_unfinished, scratch_file};
 pub use text::{TextError, read_text, text_of};
 pub use write_error::WriteError;

@@ -2,9 +2,39 @@
 
 use super::disk::{parent_folder, temporary_file};
 use super::write_error::WriteError;
-use std::fs::File;
+use std::collections::BTreeSet;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
+
+/// The temporary files that exist now.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The place of a temporary file among those that exist.
+#[derive(Debug)]
+struct Unfinished(PathBuf);
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        unfinished().remove(&self.0);
+    }
+}
+
+/// Removes every file that is not finished, and keeps further ones from being begun, for a program that
+/// ends at once. The system has the reason why one cannot be removed, which nobody would read any more.
+pub fn remove_unfinished() {
+    let files = unfinished();
+    for file in files.iter() {
+        fs::remove_file(file).ok();
+    }
+    // Whoever begins or finishes a file from here on waits for the program's end.
+    std::mem::forget(files);
+}
 
 /// A file that is written piece by piece. It appears under its name when it is finished. Until then
 /// it is a temporary file in the same folder, which is removed when it is dropped.
@@ -12,6 +42,8 @@ use tempfile::NamedTempFile;
 pub struct NewFile {
     path: PathBuf,
     file: NamedTempFile,
+    // Dropped after the file, which is gone by then.
+    unfinished: Unfinished,
 }
 
 impl NewFile {
@@ -20,10 +52,14 @@ impl NewFile {
     /// # Errors
     /// Its folder does not exist or does not accept new files.
     pub fn create(path: &Path) -> Result<Self, WriteError> {
+        // No file is begun between the removal of all of them and the program's end.
+        let mut all = unfinished();
         let file =
             temporary_file(parent_folder(path)).map_err(|error| WriteError::new(path, error))?;
+        all.insert(file.path().into());
         Ok(Self {
             path: path.into(),
+            unfinished: Unfinished(file.path().into()),
             file,
         })
     }
@@ -38,7 +74,11 @@ impl NewFile {
     /// # Errors
     /// The file cannot be written to the end or renamed.
     pub fn finish(self) -> Result<(), WriteError> {
-        let Self { path, file } = self;
+        let Self {
+            path,
+            file,
+            unfinished: _unfinished,
+        } = self;
         let finish = || {
             file.as_file().sync_all()?;
             file.persist(&path).map_err(|error| error.error)?;
