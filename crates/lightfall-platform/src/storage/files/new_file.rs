@@ -3,7 +3,7 @@
 use super::disk::{parent_folder, temporary_file};
 use super::write_error::WriteError;
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 use tempfile::NamedTempFile;
 
 /// A file that is written piece by piece. It appears under its name when it is finished. Until then
@@ -31,6 +31,13 @@ impl NewFile {
     /// The file to write to.
     pub fn file(&mut self) -> &mut File {
         self.file.as_file_mut()
+    }
+
+    /// Where the file is until it is finished: for another program, which writes it.
+    #[must_use]
+    pub fn temporary_path(&self) -> PathBuf {
+        let path = self.file.path();
+        absolute(path).unwrap_or_else(|_| path.into())
     }
 
     /// Gives the complete file its name, and replaces an older one of the same name.
