@@ -13,6 +13,7 @@ mod extremes;
 mod fly;
 mod glyphs;
 mod kept_rows;
+mod lut;
 mod output;
 mod presets;
 mod progress;
@@ -22,6 +23,7 @@ mod scene;
 mod stop;
 mod trace;
 mod unused;
+mod video;
 
 pub use console::StandardError;
 pub use presets::presets;

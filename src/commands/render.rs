@@ -3,7 +3,9 @@
 mod checks;
 mod cube;
 mod exr_options;
+mod film;
 mod large;
+mod looped;
 mod notes;
 mod pictures;
 mod times;
@@ -12,7 +14,10 @@ mod writer;
 use self::checks::{check_files, check_memory, check_projection, check_space, check_times_file};
 use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{exr_form, exr_option};
+pub(super) use self::film::codec_of;
+use self::film::{FilmMaker, codec};
 use self::large::tiling;
+use self::looped::{loop_sequence, note_loop};
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
@@ -36,23 +41,29 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         scene: on_stage(&args.scene, args.journey.as_deref())?,
         ..args.clone()
     };
-    let scene = scene(&args.scene)?;
-    let sequence = args
-        .frames
-        .map(|frames| sequence(args, frames, &scene))
-        .transpose()?;
+    let mut scene = scene(&args.scene)?;
+    let sequence = match (args.loop_seconds, args.frames) {
+        (Some(seconds), _) => Some(loop_sequence(args, seconds, &mut scene)?),
+        (None, Some(frames)) => Some(sequence(args, frames, &scene)?),
+        (None, None) => None,
+    };
     let format = check_files(&args.out, sequence.as_ref())?;
     let mut scene = with_size(args, scene);
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
     check_projection(args, &scene)?;
-    if format == Format::Apng && sequence.is_none() {
-        return Err(Stop::refused(
-            "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
-        ));
+    if format.holds_sequence() && sequence.is_none() {
+        let what = match format {
+            Format::Film => "a film",
+            _ => "an .apng",
+        };
+        return Err(Stop::refused(format!(
+            "-o: {what} holds the frames of a sequence, so --frames A..B must name them"
+        )));
     }
-    if let (Format::Png | Format::Apng, Some(option)) = (format, exr_option(args)) {
+    let codec = codec(args, format, &mut scene)?;
+    if let (false, Some(option)) = (format == Format::Exr, exr_option(args)) {
         return Err(Stop::refused(format!(
             "{option} is for pictures of linear light: the file's name must end in .exr"
         )));
@@ -79,6 +90,8 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         check_space(&pictures, &channels, tiling)?;
     }
 
+    let film = codec.map(|codec| FilmMaker::new(args, codec, &pictures.scene, tiling.as_ref()));
+
     let size = pictures.scene.picture.size();
     if tiling.is_none()
         && format != Format::Exr
@@ -94,7 +107,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr,
+        light: format == Format::Exr || film.as_ref().is_some_and(FilmMaker::is_of_light),
         stars,
         ..HeadlessOptions::default()
     };
@@ -121,9 +134,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         form,
         rays: None,
         animation: None,
+        film,
         still: None,
         frames: pictures.numbers().len() as u32,
-        fps: args.frames.map(|_| args.fps),
+        fps: pictures.sequence.as_ref().map(|_| args.fps),
     };
     let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
@@ -136,7 +150,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
         writer.write(&scene, &file)?;
-        if format != Format::Apng {
+        if !format.holds_sequence() {
             let name = || {
                 let mut files = files_of(&file).into_iter();
                 files.try_for_each(|file| print(&format!("{}\n", file.display())))
@@ -156,6 +170,13 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         animation.finish()?;
         print(&format!("{}\n", args.out.display()))?;
     }
+    if let Some(film) = writer.film.take() {
+        film.finish()?;
+        print(&format!("{}\n", args.out.display()))?;
+        if args.loop_seconds.is_some() {
+            note_loop(&args.out);
+        }
+    }
     if let Some(file) = &args.timings {
         let times = writer.studio.time(TIMED_FRAMES)?;
         print_times(&times);
@@ -174,7 +195,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         }
     }
     if let Some(sequence) = &pictures.sequence
-        && format != Format::Apng
+        && !format.holds_sequence()
         && !is_of_side(&args.out)
     {
         say(format_args!(

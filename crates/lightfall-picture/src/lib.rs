@@ -40,4 +40,7 @@ pub use png_rows::{PngBits, write_png_levels};
 pub use sequence::{Frames, Sequence, frame_rate};
 pub use still::{Still, Studio, filled, render, render_with};
 pub use tiles::{MAX_UNTILED_PIXELS, Tiles};
-pub use video::{Codec, Container, Ffmpeg, Film, FilmForm, filter_value, loop_lines, quoted};
+pub use video::{
+    Codec, Container, Ffmpeg, Film, FilmForm, filter_value, levels_of_halves, levels_of_light,
+    loop_lines, quoted,
+};

@@ -1,5 +1,6 @@
 //! The arguments of flying, of `lightfall render`, `trace` and `presets`, and of scenes.
 
+use super::film::{FilmArgs, loop_seconds};
 use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
@@ -107,8 +108,8 @@ pub struct FlyArgs {
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
     /// Picture to write. Its extension decides the format: .png is what a window would show, .apng
-    /// the same with all frames of a sequence, .exr holds linear light and the data of rays. An
-    /// existing file is replaced
+    /// the same with all frames of a sequence, .mp4, .mov and .webm are films of them, .exr holds linear
+    /// light and the data of rays. An existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
     /// Size of the picture in pixels, up to 32768 a side and 32768x16384 in all: short for --set
@@ -138,10 +139,20 @@ pub struct RenderArgs {
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
     /// frame A to frame B inclusive; an .apng holds all of them. Frames after the end show the end.
     /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0
-    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "A..B",
+        allow_hyphen_values = true,
+        group = "moments"
+    )]
     pub frames: Option<Frames>,
+    /// Draw a sequence of this length whose end goes on at its beginning, with a camera that stays. The
+    /// structure of the disk repeats after this time; where nothing moves, the camera goes once around
+    #[arg(long = "loop", value_name = "SECONDS", value_parser = loop_seconds, allow_negative_numbers = true,
+          group = "moments")]
+    pub loop_seconds: Option<f64>,
     /// Frames per second
-    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
+    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "moments",
           allow_negative_numbers = true)]
     pub fps: f64,
     /// TOML file of the journey that --frames draws, or none: the camera stays, and only the disk
@@ -150,8 +161,11 @@ pub struct RenderArgs {
     pub journey: Option<PathBuf>,
     /// Also print the GPU time of each pass to standard error, and with =FILE write them to this CSV
     /// file
-    #[arg(long, value_name = "FILE", conflicts_with = "frames", num_args = 0..=1, require_equals = true)]
+    #[arg(long, value_name = "FILE", conflicts_with = "moments", num_args = 0..=1, require_equals = true)]
     pub timings: Option<Option<PathBuf>>,
+    /// The film, if the file is one.
+    #[command(flatten)]
+    pub film: FilmArgs,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

@@ -42,7 +42,7 @@ pub(super) fn check_memory(
     let drawn = drawn_at_once(scene).picture.size();
     let values = match format {
         Format::Exr => channels.list().len(),
-        Format::Png | Format::Apng => 0,
+        Format::Png | Format::Apng | Format::Film => 0,
     };
     let per_pixel = VALUE_BYTES * values as u64;
     let columns = u64::from(drawn.x);
@@ -95,6 +95,8 @@ pub(super) fn check_space(
     let of_pixel = match pictures.format {
         Format::Exr => picture::exr_pixel_bytes(channels),
         Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
+        // A film is far smaller than its pictures.
+        Format::Film => 0,
     };
     let number = pictures.numbers().len() as u64;
     let keeps_light = tiling.sweeps(pictures).any(|sweeps| sweeps > 1);
@@ -181,7 +183,7 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
             "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
         ));
     }
-    if Format::of(&args.out)? == Format::Apng {
+    if Format::of(&args.out)?.holds_sequence() {
         return Err(Stop::refused(
             "-o: {face} stands for files of pictures: the name must end in .png or .exr",
         ));
@@ -194,7 +196,7 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
 pub(super) fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {
     let format = Format::of(out)?;
     match sequence {
-        Some(sequence) if format != Format::Apng => {
+        Some(sequence) if !format.holds_sequence() => {
             let Frames { first, last } = sequence.frames;
             for file in files_of(&sequence.file(first)) {
                 picture::check_path(&file)?;

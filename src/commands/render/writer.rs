@@ -1,5 +1,6 @@
 //! Draws scenes and writes their pictures.
 
+use super::film::FilmMaker;
 use super::large::Tiling;
 use super::pictures::drawn_scene;
 use crate::commands::circumstances::commit;
@@ -30,6 +31,8 @@ pub(super) struct PictureWriter {
     pub(super) still: Option<Still>,
     /// Begun with the first frame.
     pub(super) animation: Option<Animation>,
+    /// The film, if the pictures are given to one.
+    pub(super) film: Option<FilmMaker>,
     /// How many pictures there will be.
     pub(super) frames: u32,
     pub(super) fps: Option<f64>,
@@ -61,6 +64,10 @@ impl PictureWriter {
                 Ok(self.add_frame(&scene, file, &still)?)
             }
             Format::Exr => self.write_exr(&scene, file),
+            Format::Film => match &mut self.film {
+                Some(film) => film.add(&mut self.studio, &scene, file),
+                None => Ok(()),
+            },
         }
     }
 
@@ -81,6 +88,9 @@ impl PictureWriter {
             tiles: tiling.tiles,
             on_tile,
         };
+        if let Some(film) = &mut self.film {
+            return film.add_large(&mut self.studio, &mut large, file);
+        }
         if self.format == Format::Png {
             let path = (file, tiling.bits);
             return Ok(large.write_png(&mut self.studio, path, &record)?);
