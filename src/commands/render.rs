@@ -62,12 +62,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             "-o: {what} holds the frames of a sequence, so --frames A..B must name them"
         )));
     }
-    let codec = codec(args, format, &mut scene)?;
     if let (false, Some(option)) = (format == Format::Exr, exr_option(args)) {
         return Err(Stop::refused(format!(
             "{option} is for pictures of linear light: the file's name must end in .exr"
         )));
     }
+    let codec = codec(args, format, &mut scene)?;
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
     }
