@@ -8,6 +8,7 @@ mod comparison;
 mod dither;
 mod embedded;
 mod exr_file;
+mod films;
 mod finite;
 mod idle;
 mod light;
