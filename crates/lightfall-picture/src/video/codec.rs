@@ -115,12 +115,6 @@ pub struct FilmForm {
 }
 
 impl FilmForm {
-    /// Bytes of a picture that is given.
-    #[must_use]
-    pub fn picture_bytes(&self) -> u64 {
-        u64::from(self.size.x) * u64::from(self.size.y) * self.bits.pixel_bytes()
-    }
-
     /// The filters from pictures that are given to those that are encoded. Common formats need even sides,
     /// so black pixels are added to odd ones.
     #[must_use]

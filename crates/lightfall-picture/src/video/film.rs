@@ -41,12 +41,6 @@ impl Film {
         })
     }
 
-    /// What the film is made of.
-    #[must_use]
-    pub fn form(&self) -> &FilmForm {
-        &self.form
-    }
-
     /// Adds the next rows of a picture, from the top: the levels of red, green and blue of each pixel. A
     /// picture follows the one before it without a gap.
     ///
