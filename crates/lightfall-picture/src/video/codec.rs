@@ -189,7 +189,7 @@ impl FilmForm {
     /// the first file, and those between the names.
     #[must_use]
     pub fn copy_arguments(&self) -> [Vec<String>; 2] {
-        let words = |text: &str| text.split(' ').map(String::from).collect();
+        let words = |text: &str| -> Vec<String> { text.split(' ').map(String::from).collect() };
         let index = match self.container {
             Container::Webm => "",
             Container::Mp4 | Container::Mov => "-movflags +faststart ",
