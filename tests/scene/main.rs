@@ -26,6 +26,7 @@ mod failures;
 #[cfg(target_os = "linux")]
 mod file_dialog;
 mod file_names;
+mod film_files;
 mod films;
 mod flight_error;
 mod flights;
