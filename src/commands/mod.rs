@@ -16,6 +16,7 @@ mod fly;
 mod glyphs;
 mod kept_rows;
 mod kiosk;
+mod lut;
 mod output;
 mod presets;
 mod progress;
@@ -25,6 +26,7 @@ mod scene;
 mod stop;
 mod trace;
 mod unused;
+mod video;
 
 pub use console::StandardError;
 pub use kiosk::{check_options, shows};

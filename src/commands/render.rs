@@ -4,7 +4,9 @@ mod checks;
 mod cube;
 mod exr_options;
 mod farm;
+mod film;
 mod large;
+mod looped;
 mod notes;
 mod pictures;
 mod resume;
@@ -17,7 +19,10 @@ use self::checks::{
 use self::cube::{drawn_at_once, files_of, is_of_side};
 use self::exr_options::{channels, exr_form, exr_option, show_transparent};
 use self::farm::{check_farm, is_run, note_frame, nothing_to_draw, numbers, open_manifest};
+pub(super) use self::film::codec_of;
+use self::film::{FilmMaker, codec};
 use self::large::tiling;
+use self::looped::{loop_sequence, note_loop};
 pub use self::notes::still_drawing;
 use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
@@ -45,13 +50,13 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         scene: on_stage(&args.scene, args.journey.as_deref())?,
         ..args.clone()
     };
-    let scene = scene(&args.scene)?;
-    let sequence = args
-        .frames
-        .as_ref()
-        .map(|frames| sequence(args, frames.ends(), &scene))
-        .transpose()?;
-    let numbers = numbers(args);
+    let mut scene = scene(&args.scene)?;
+    let sequence = match (args.loop_seconds, &args.frames) {
+        (Some(seconds), _) => Some(loop_sequence(args, seconds, &mut scene)?),
+        (None, Some(frames)) => Some(sequence(args, frames.ends(), &scene)?),
+        (None, None) => None,
+    };
+    let numbers = numbers(args, sequence.as_ref());
     let format = check_files(&args.out, sequence.as_ref(), &numbers)?;
     check_farm(args, format)?;
     args.camera
@@ -62,16 +67,21 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
     check_projection(args, &scene)?;
-    if format == Format::Apng && sequence.is_none() {
-        return Err(Stop::refused(
-            "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
-        ));
+    if format.holds_sequence() && sequence.is_none() {
+        let what = match format {
+            Format::Film => "a film",
+            _ => "an .apng",
+        };
+        return Err(Stop::refused(format!(
+            "-o: {what} holds the frames of a sequence, so --frames A..B must name them"
+        )));
     }
-    if let (Format::Png | Format::Apng, Some(option)) = (format, exr_option(args)) {
+    if let (false, Some(option)) = (format == Format::Exr, exr_option(args)) {
         return Err(Stop::refused(format!(
             "{option} is for pictures of linear light: the file's name must end in .exr"
         )));
     }
+    let codec = codec(args, format, &mut scene)?;
     if let Some(Some(file)) = &args.timings {
         check_times_file(file, &args.out)?;
     }
@@ -111,11 +121,16 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     if !args.camera.is_empty() {
         // Of all frames, whichever of them this run draws.
-        let numbers = args.frames.as_ref().map_or_else(Vec::new, |list| list.numbers().to_vec());
+        let numbers = args
+            .frames
+            .as_ref()
+            .map_or_else(Vec::new, |list| list.numbers().to_vec());
         let path = camera::path_of(&numbers, args.fps, &pictures.scene, |n| pictures.get(n).0)?;
         let mut files = args.camera.iter();
         files.try_for_each(|file| camera::write_path(file, &path))?;
     }
+
+    let film = codec.map(|codec| FilmMaker::new(args, codec, &pictures.scene, tiling.as_ref()));
 
     let size = pictures.scene.picture.size();
     if tiling.is_none()
@@ -131,7 +146,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     note_missing_stars(&args.scene, &pictures.scene, stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr || args.shutter.is_some() || args.alpha.is_some(),
+        light: format == Format::Exr
+            || args.shutter.is_some()
+            || args.alpha.is_some()
+            || film.as_ref().is_some_and(FilmMaker::is_of_light),
         stars,
         ..HeadlessOptions::default()
     };
@@ -160,9 +178,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         moments: Vec::new(),
         rays: None,
         animation: None,
+        film,
         still: None,
         frames: pictures.numbers().len() as u32,
-        fps: args.frames.as_ref().map(|_| args.fps),
+        fps: pictures.sequence.as_ref().map(|_| args.fps),
     };
     let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
@@ -181,7 +200,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             let (files, time) = (files_of(&file), began.elapsed());
             note_frame(manifest, (number, &files), time, &writer.studio)?;
         }
-        if format != Format::Apng {
+        if !format.holds_sequence() {
             let name = || {
                 let mut files = files_of(&file).into_iter();
                 files.try_for_each(|file| print(&format!("{}\n", file.display())))
@@ -201,6 +220,13 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         animation.finish()?;
         print(&format!("{}\n", args.out.display()))?;
     }
+    if let Some(film) = writer.film.take() {
+        film.finish()?;
+        print(&format!("{}\n", args.out.display()))?;
+        if args.loop_seconds.is_some() {
+            note_loop(&args.out);
+        }
+    }
     if let Some(file) = &args.timings {
         let times = writer.studio.time(TIMED_FRAMES)?;
         print_times(&times);
@@ -219,7 +245,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         }
     }
     if let Some(sequence) = &pictures.sequence
-        && format != Format::Apng
+        && !format.holds_sequence()
         && !is_of_side(&args.out)
         && is_run(args)
     {

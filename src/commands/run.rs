@@ -9,10 +9,12 @@ use super::console;
 use super::doctor::doctor;
 use super::extremes::extremes;
 use super::fly::fly;
+use super::lut::lut;
 use super::presets::presets;
 use super::render::render;
 use super::stop::Stop;
 use super::trace::trace;
+use super::video::video;
 use crate::app;
 use bevy::app::App;
 use lightfall_platform::storage;
@@ -67,6 +69,8 @@ fn execute(command: Command, addition: impl FnOnce(&mut App)) -> Result<(), Stop
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => bench(&args),
         Command::Extremes(args) => extremes(&args),
+        Command::Video(args) => video(&args),
+        Command::Lut(args) => lut(&args),
         Command::Doctor(args) => doctor(&args),
         Command::Presets(command) => presets(&command, &mut io::stdout().lock()),
     }

@@ -11,6 +11,7 @@ mod exr_file;
 mod farm;
 #[cfg(unix)]
 mod farm_runs;
+mod films;
 mod finite;
 mod idle;
 mod layers;
@@ -337,10 +338,9 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
-    assert!(
-        sentence("a.bmp")
-            .ends_with("unknown picture format \"bmp\"; allowed are .png, .apng and .exr")
-    );
+    assert!(sentence("a.bmp").ends_with(
+        "unknown picture format \"bmp\"; allowed are .png, .apng, .exr, .mp4, .mov and .webm"
+    ));
     assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
     std::fs::create_dir(here("folder.png")).unwrap();
     assert!(sentence("folder.png").ends_with("cannot be written: it is a folder"));

@@ -176,11 +176,14 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
          -color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv \
          -c:v libx264 -crf 16 'my out/100%.mp4'"
     );
-    let linear = "ffmpeg -framerate 30 -start_number 0 -i %04d.exr -vf 'zscale=tin=linear:t=iec61966-2-1,format=gbrp";
+    let linear = "lightfall lut --preset 0000.exr -o lightfall.csp && ffmpeg -gamma 4 -framerate 30 -start_number 0 \
+                  -i %04d.exr -vf 'lut3d=lightfall.csp:interp=tetrahedral,format=gbrp16le";
     let line = |width| sequence("####.exr", "0..9", 30.0).ffmpeg(width, 540);
-    assert!(line(960).starts_with(&format!("{linear},scale=")));
+    assert!(line(960).starts_with(&format!("{linear},setparams=")));
     assert!(line(960).ends_with(" lightfall.mp4"));
-    assert!(line(961).starts_with(&format!("{linear},pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=")));
+    assert!(line(961).starts_with(&format!(
+        "{linear},pad=ceil(iw/2)*2:ceil(ih/2)*2,setparams="
+    )));
     // ffmpeg takes what is before a colon for a protocol, and what follows a dash for an option.
     for (pattern, input) in [
         ("c:d/f-##.png", " -i ./c:d/f-%02d.png "),

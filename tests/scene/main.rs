@@ -30,6 +30,8 @@ mod farm_scripts;
 #[cfg(target_os = "linux")]
 mod file_dialog;
 mod file_names;
+mod film_files;
+mod films;
 mod flight_error;
 mod flights;
 #[cfg(target_os = "linux")]

@@ -49,7 +49,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     for (line, sentence) in [
         (
             "render -o a.xyz",
-            "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png, .apng and .exr\n",
+            "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png, .apng, .exr, .mp4, .mov and .webm\n",
         ),
         (
             "render -o a.png --aov sky",
@@ -143,7 +143,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
         ),
         (
             "render -o a",
-            "lightfall: a: the name has no extension that says which picture format to write; allowed are .png, .apng and .exr\n",
+            "lightfall: a: the name has no extension that says which picture format to write; allowed are .png, .apng, .exr, .mp4, .mov and .webm\n",
         ),
     ] {
         assert_eq!(

@@ -16,6 +16,7 @@ pub mod exposure;
 pub mod guides;
 pub mod hot_spot;
 pub mod limb;
+pub mod lut;
 pub mod medium;
 pub mod milky_way;
 pub mod path;

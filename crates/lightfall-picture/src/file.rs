@@ -1,6 +1,6 @@
 //! Picture files.
 
-use super::Still;
+use super::{Container, Still};
 use glam::UVec2;
 use lightfall_core::gpu::GpuError;
 use lightfall_core::scene::MAX_PICTURE_SIDE;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The extension of the file's name is not that of a format that the program writes.
-    #[error("{path}: {}; allowed are .png, .apng and .exr", extension_fault(.extension))]
+    #[error("{path}: {}; allowed are .png, .apng, .exr, .mp4, .mov and .webm", extension_fault(.extension))]
     Extension {
         /// The file.
         path: PathBuf,
@@ -43,6 +43,9 @@ pub enum PictureError {
         /// The requested width and height, in pixels.
         size: UVec2,
     },
+    /// A film could not be made.
+    #[error("{0}")]
+    Film(String),
     /// The chain of passes failed.
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
@@ -93,6 +96,8 @@ pub enum Format {
     Apng,
     /// Linear light, and the data of rays.
     Exr,
+    /// What a window would show, with all frames of a sequence in one film.
+    Film,
 }
 
 impl Format {
@@ -106,6 +111,9 @@ impl Format {
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned();
+        if Container::of(path).is_some() {
+            return Ok(Self::Film);
+        }
         match extension.to_ascii_lowercase().as_str() {
             "png" => Ok(Self::Png),
             "apng" => Ok(Self::Apng),
@@ -115,6 +123,12 @@ impl Format {
                 extension,
             }),
         }
+    }
+
+    /// Whether a file of this format holds all frames of a sequence.
+    #[must_use]
+    pub fn holds_sequence(self) -> bool {
+        matches!(self, Self::Apng | Self::Film)
     }
 }
 

@@ -55,6 +55,23 @@ impl LargePicture<'_> {
         record: &PictureRecord,
     ) -> Result<(), PictureError> {
         let whole = self.tiles.whole();
+        write_png_rows(path, (whole, bits), record, |take| {
+            self.draw_rows(studio, path, take)
+        })
+    }
+
+    /// Draws the picture and gives its rows from the top: levels of red, green and blue of each pixel. The
+    /// studio must keep light where there are two sweeps, and make the levels of a file. The light of the
+    /// first sweep stands in a temporary file beside `path`.
+    ///
+    /// # Errors
+    /// Those of `take`; or drawing failed, or the temporary file cannot be written.
+    pub fn draw_rows(
+        &mut self,
+        studio: &mut Studio,
+        path: &Path,
+        take: &mut dyn FnMut(&[u16]) -> Result<(), PictureError>,
+    ) -> Result<(), PictureError> {
         let mut light = None;
         if png_sweeps(self.scene, &self.tiles) > 1 {
             light = Some(self.draw_light(studio, path)?);
@@ -65,11 +82,9 @@ impl LargePicture<'_> {
             developed.probe.enabled = false;
             developed.picture.samples = 1;
         }
-        let written = write_png_rows(path, (whole, bits), record, |take| {
-            self.draw_levels(studio, (&developed, light.as_mut()), take)
-        });
+        let drawn = self.draw_levels(studio, (&developed, light.as_mut()), take);
         studio.give_light(None);
-        written
+        drawn
     }
 
     /// Draws the picture and returns its levels: red, green and blue of each pixel, rows from the top. The

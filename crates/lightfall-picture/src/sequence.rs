@@ -1,6 +1,7 @@
 //! Sequences: journeys, or a disk that moves, as numbered pictures.
 
 use super::Frames;
+use super::video::{filter_value, quoted};
 use lightfall_core::numbers::number_with_comma;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
@@ -40,6 +41,9 @@ pub struct Sequence {
     pub frames: Frames,
     /// Frames per second.
     pub fps: f64,
+    /// The seconds in which the camera goes once around the axis, while nothing else moves; `None` if it
+    /// stays.
+    pub turn: Option<f64>,
     /// The folder of the files, the parts of their names before and after the number, and the
     /// number's digits.
     folder: PathBuf,
@@ -84,6 +88,7 @@ impl Sequence {
             journey,
             frames,
             fps,
+            turn: None,
             folder,
             name: [before, after.to_owned()],
             digits,
@@ -111,6 +116,10 @@ impl Sequence {
             }
             None if scene.disk_moves() => next.disk.time += scene.disk.rate * seconds,
             None => {}
+        }
+        if let Some(turn) = self.turn {
+            let azimuth = scene.camera.phi_deg + 360.0 * seconds / turn;
+            next.camera.phi_deg = (azimuth + 180.0).rem_euclid(360.0) - 180.0;
         }
         next
     }
@@ -149,20 +158,30 @@ impl Sequence {
         let numbered = format!("{}%0{}d{}", name(before), self.digits, name(after));
         let input = Path::new(&name(&folder)).join(numbered);
         let output = self.beside(".mp4");
-        // Linear light is converted to sRGB's curve, and common video formats need even sides.
-        let linear = after
-            .to_lowercase()
-            .ends_with(".exr")
-            .then_some("zscale=tin=linear:t=iec61966-2-1,format=gbrp");
+        // Common video formats need even sides.
         let even = (width % 2 + height % 2 > 0).then_some("pad=ceil(iw/2)*2:ceil(ih/2)*2");
-        let filters: Vec<_> = linear.into_iter().chain(even).chain([BT709]).collect();
+        let input = quoted(&input.display().to_string());
+        let frames = format!(
+            "-framerate {} -start_number {} -i {input}",
+            self.fps, self.frames.first
+        );
+        let output = quoted(&output.display().to_string());
+        if !after.to_lowercase().ends_with(".exr") {
+            let filters: Vec<_> = even.into_iter().chain([BT709]).collect();
+            let filters = filters.join(",");
+            return format!("ffmpeg {frames} -vf '{filters}' {TAGS} -c:v libx264 -crf 16 {output}");
+        }
+        // Linear light gets the exposure and the tone curve of the first frame. Before the table, another
+        // filter would cut light off at 1.
+        let table = self.beside(".csp").display().to_string();
+        let lookup = format!("lut3d={}:interp=tetrahedral", filter_value(&table));
+        let filters = [&*lookup, "format=gbrp16le"].into_iter();
+        let filters: Vec<_> = filters.chain(even).chain([SRGB_TO_BT709]).collect();
         format!(
-            "ffmpeg -framerate {} -start_number {} -i {} -vf '{}' {TAGS} -c:v libx264 -crf 16 {}",
-            self.fps,
-            self.frames.first,
-            quoted(&input.display().to_string()),
-            filters.join(","),
-            quoted(&output.display().to_string()),
+            "lightfall lut --preset {} -o {} && ffmpeg -gamma 4 {frames} -vf '{}' -c:v libx264 -crf 16 {output}",
+            quoted(&self.file(self.frames.first).display().to_string()),
+            quoted(&table),
+            filters.join(",").replace('\'', "'\\''"),
         )
     }
 }
@@ -172,19 +191,6 @@ const BT709: &str = "scale=out_color_matrix=bt709:out_range=limited,format=yuv42
 /// What tells players so.
 const TAGS: &str = "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
 
-/// A file's name, quoted for a shell if necessary. With a dash at its beginning, ffmpeg would take it for
-/// an option, and with a colon in its first part for a protocol.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-%+=:,@".contains(c);
-    let first = word.split('/').next().unwrap_or_default();
-    let word = if word.starts_with('-') || first.contains(':') && Path::new(word).is_relative() {
-        format!("./{word}")
-    } else {
-        word.to_owned()
-    };
-    if word.chars().all(plain) {
-        word
-    } else {
-        format!("'{}'", word.replace('\'', "'\\''"))
-    }
-}
+/// The same from levels of more than eight bits, which are rounded with noise.
+const SRGB_TO_BT709: &str = "setparams=color_primaries=bt709:color_trc=bt709:colorspace=gbr:range=pc,\
+                             zscale=m=709:r=limited:d=error_diffusion,format=yuv420p";

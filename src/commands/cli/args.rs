@@ -1,13 +1,14 @@
 //! The arguments of flying, of `lightfall render`, `trace` and `presets`, and of scenes.
 
 use super::farm::FarmArgs;
+use super::film::{FilmArgs, loop_seconds};
 use super::size::file_size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, SkyMode, field};
 use lightfall_picture::{
-    CHANNELS, ChannelNames, Channels, ExrCompression, FrameList, MissingValues, PngBits, Transparent,
-    frame_rate, shutter_time,
+    CHANNELS, ChannelNames, Channels, ExrCompression, FrameList, MissingValues, PngBits,
+    Transparent, frame_rate, shutter_time,
 };
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -148,8 +149,8 @@ impl FlyArgs {
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
     /// Picture to write. Its extension decides the format: .png is what a window would show, .apng
-    /// the same with all frames of a sequence, .exr holds linear light and the data of rays. An
-    /// existing file is replaced
+    /// the same with all frames of a sequence, .mp4, .mov and .webm are films of them, .exr holds linear
+    /// light and the data of rays. An existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
     /// Size of the picture in pixels, up to 32768 a side and 32768x16384 in all: short for --set
@@ -187,16 +188,26 @@ pub struct RenderArgs {
     /// frame A to frame B inclusive; an .apng holds all of them. Frames after the end show the end.
     /// The clock of a disk that moves runs by disk.rate a second, from disk.time in frame 0. A list
     /// has commas, and A..B:S takes every S-th frame, as in 0..9,20,30..300:10
-    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "A..B",
+        allow_hyphen_values = true,
+        group = "moments"
+    )]
     pub frames: Option<FrameList>,
+    /// Draw a sequence of this length whose end goes on at its beginning, with a camera that stays. The
+    /// structure of the disk repeats after this time; where nothing moves, the camera goes once around
+    #[arg(long = "loop", value_name = "SECONDS", value_parser = loop_seconds, allow_negative_numbers = true,
+          group = "moments")]
+    pub loop_seconds: Option<f64>,
     /// Frames per second
-    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
+    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "moments",
           allow_negative_numbers = true)]
     pub fps: f64,
     /// Blur what moves: the mean of the light while a shutter is open, from the moment of the frame on,
     /// for this share of the time to the next one (0.5 is a film camera's 180 degrees), at --samples
     /// moments, or at 16
-    #[arg(long, value_name = "SHARE", value_parser = shutter_time, requires = "frames",
+    #[arg(long, value_name = "SHARE", value_parser = shutter_time, requires = "moments",
           allow_negative_numbers = true)]
     pub shutter: Option<f64>,
     /// TOML file of the journey that --frames draws, or CSV file of a camera path, or none: the camera
@@ -209,11 +220,14 @@ pub struct RenderArgs {
     pub camera: Vec<PathBuf>,
     /// Also print the GPU time of each pass to standard error, and with =FILE write them to this CSV
     /// file
-    #[arg(long, value_name = "FILE", conflicts_with = "frames", num_args = 0..=1, require_equals = true)]
+    #[arg(long, value_name = "FILE", conflicts_with = "moments", num_args = 0..=1, require_equals = true)]
     pub timings: Option<Option<PathBuf>>,
     /// The part of a sequence that this process draws.
     #[command(flatten)]
     pub farm: FarmArgs,
+    /// The film, if the file is one.
+    #[command(flatten)]
+    pub film: FilmArgs,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

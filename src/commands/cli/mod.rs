@@ -2,6 +2,7 @@
 
 mod args;
 mod farm;
+mod film;
 mod measure;
 mod number;
 mod paths;
@@ -11,6 +12,7 @@ pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
 pub use farm::FarmArgs;
+pub use film::{FilmArgs, LutArgs, VideoArgs};
 pub use measure::{BenchArgs, DoctorArgs, ExtremesArgs, ReportArgs};
 pub use paths::{CameraArgs, CaptionsArgs};
 
@@ -28,6 +30,7 @@ Examples:
   lightfall render --preset 2 -o disk.png        one picture
   lightfall render --preset 2 --aov all -o disk.exr     linear light, and the data of each pixel's ray
   lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey
+  lightfall render --loop 10 -o disk.mp4         a film that repeats without a seam
   lightfall render --set camera.r=8 --set camera.theta_deg=60 --set sky.mode=grid -o near.png
   echo 0,0,1 | lightfall trace --rays - --device cpu
   lightfall presets show 2                       every field, with its meaning and range
@@ -103,6 +106,16 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure the errors of methods in the hardest places.
     Extremes(ExtremesArgs),
+    /// Encode numbered pictures as a film.
+    Video(VideoArgs),
+    /// Write a lookup table that gives the light of an .exr the look of the program's pictures.
+    #[command(
+        // They concern rays and places alone, and are accepted because they may precede the command.
+        mut_arg("samples", |arg| arg.hide(true)),
+        mut_arg("cells", |arg| arg.hide(true)),
+        mut_arg("stars", |arg| arg.hide(true)),
+    )]
+    Lut(LutArgs),
     /// Report what this machine offers and whether the program runs well on it.
     Doctor(DoctorArgs),
     /// List, show or check presets.
@@ -121,6 +134,8 @@ impl Command {
             Self::Trace(_) => "trace",
             Self::Bench(_) => "bench",
             Self::Extremes(_) => "extremes",
+            Self::Video(_) => "video",
+            Self::Lut(_) => "lut",
             Self::Doctor(_) => "doctor",
             Self::Presets(_) => "presets",
         }
@@ -186,7 +201,7 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
             ));
         }
         journey = journey.or(render.journey.take());
-        if render.frames.is_some() {
+        if render.frames.is_some() || render.loop_seconds.is_some() {
             render.journey = journey.take();
         }
     }
@@ -205,6 +220,7 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
         Command::Render(RenderArgs { scene: after, .. })
         | Command::Camera(CameraArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. })
+        | Command::Lut(LutArgs { scene: after, .. })
         | Command::Doctor(DoctorArgs { scene: after, .. }) => {
             let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
             *after = scene.followed_by(after).ok_or_else(|| conflict(message))?;
@@ -221,6 +237,7 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
         _ if scene == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Captions(_) => return Err(conflict("`captions` takes no scene options")),
+        Command::Video(_) => return Err(conflict("`video` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => {
             return Err(conflict(

@@ -46,7 +46,7 @@ pub(super) fn check_memory(
     let drawn = drawn_at_once(scene).picture.size();
     let values = match format {
         Format::Exr => channels.list().len(),
-        Format::Png | Format::Apng => 0,
+        Format::Png | Format::Apng | Format::Film => 0,
     };
     let per_pixel = VALUE_BYTES * values as u64;
     let of_layers = VALUE_BYTES * channels.of_layers().len() as u64;
@@ -101,6 +101,8 @@ pub(super) fn check_space(
     let of_pixel = match pictures.format {
         Format::Exr => picture::exr_pixel_bytes(channels),
         Format::Png | Format::Apng => tiling.bits.pixel_bytes(),
+        // A film is far smaller than its pictures.
+        Format::Film => 0,
     };
     let number = pictures.numbers.len() as u64;
     let keeps_light = tiling.sweeps(pictures).any(|sweeps| sweeps > 1);
@@ -187,7 +189,7 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
             "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
         ));
     }
-    if Format::of(&args.out)? == Format::Apng {
+    if Format::of(&args.out)?.holds_sequence() {
         return Err(Stop::refused(
             "-o: {face} stands for files of pictures: the name must end in .png or .exr",
         ));
@@ -227,7 +229,7 @@ pub(super) fn check_files(
 ) -> Result<Format, PictureError> {
     let format = Format::of(out)?;
     match sequence {
-        Some(sequence) if format != Format::Apng => {
+        Some(sequence) if !format.holds_sequence() => {
             let files = |number: &u32| files_of(&sequence.file(*number));
             for file in numbers.first().into_iter().flat_map(files) {
                 picture::check_path(&file)?;

@@ -119,6 +119,9 @@ impl PictureWriter {
             layout.size(side),
             picture::joined_levels(layout, side, &levels),
         );
+        if let Some(film) = &mut self.film {
+            return Ok(film.add_levels(&levels, file)?);
+        }
         if self.format == Format::Apng {
             let rgb = levels.into_iter().map(|level| level as u8).collect();
             return Ok(self.add_frame(&scene, file, &Still { size, rgb })?);

@@ -47,10 +47,14 @@ pub(super) fn show_transparent(
     if args.alpha.is_none() || format == Format::Exr {
         return Ok(());
     }
-    if format == Format::Apng {
-        return Err(Stop::refused(
-            "--alpha: an .apng has no transparent parts; numbered .png and .exr pictures may have them",
-        ));
+    if format.holds_sequence() {
+        let what = match format {
+            Format::Film => "a film",
+            _ => "an .apng",
+        };
+        return Err(Stop::refused(format!(
+            "--alpha: {what} has no transparent parts; numbered .png and .exr pictures may have them"
+        )));
     }
     if args.scene.cells == Some(Cells::On) {
         return Err(Stop::refused(

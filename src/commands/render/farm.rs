@@ -6,24 +6,30 @@ use crate::commands::circumstances::commit;
 use crate::commands::cli::RenderArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::reason::reason;
-use lightfall_picture::{DeviceFacts, Format, Manifest, ManifestRow, PictureError, Studio};
+use lightfall_picture::{
+    DeviceFacts, Format, Manifest, ManifestRow, PictureError, Sequence, Studio,
+};
 use lightfall_platform::storage;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The numbers of the frames that this process draws; one for a single picture.
-pub(super) fn numbers(args: &RenderArgs) -> Vec<u32> {
-    match (&args.frames, args.farm.shard) {
-        (Some(frames), Some(shard)) => shard.of(frames),
-        (Some(frames), None) => frames.numbers().to_vec(),
-        (None, _) => vec![0],
+pub(super) fn numbers(args: &RenderArgs, sequence: Option<&Sequence>) -> Vec<u32> {
+    match (&args.frames, args.farm.shard, sequence) {
+        (Some(frames), Some(shard), _) => shard.of(frames),
+        (Some(frames), None, _) => frames.numbers().to_vec(),
+        (None, _, Some(sequence)) => (sequence.frames.first..=sequence.frames.last).collect(),
+        (None, _, None) => vec![0],
     }
 }
 
 /// Whether the pictures are a run without gaps, of which a video can be made as soon as they are drawn.
 pub(super) fn is_run(args: &RenderArgs) -> bool {
-    let run = args.frames.as_ref().and_then(|frames| frames.run());
-    run.is_some() && args.farm.shard.is_none()
+    let is_run = match &args.frames {
+        Some(frames) => frames.run().is_some(),
+        None => args.loop_seconds.is_some(),
+    };
+    is_run && args.farm.shard.is_none()
 }
 
 /// Checks that the options of a part go with the format of the file.

@@ -8,7 +8,9 @@ use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use glam::UVec2;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Projection, Scene};
-use lightfall_picture::{Format, HeadlessOptions, MAX_UNTILED_PIXELS, PngBits, Tiles, png_sweeps};
+use lightfall_picture::{
+    Codec, Format, HeadlessOptions, MAX_UNTILED_PIXELS, PngBits, Tiles, png_sweeps,
+};
 use lightfall_platform::log::say;
 
 /// How the pictures of a command line are drawn in tiles.
@@ -16,6 +18,8 @@ use lightfall_platform::log::say;
 pub(super) struct Tiling {
     pub(super) tiles: Tiles,
     pub(super) bits: PngBits,
+    /// Whether a film is made of their light.
+    is_film_of_light: bool,
 }
 
 /// Says how pictures of the scene are drawn in tiles; `None` if they are drawn at once. Tiles have no
@@ -32,34 +36,45 @@ pub(super) fn tiling(
             bits.word()
         )));
     }
-    let bits = bits.unwrap_or_default();
+    let is_film_of_light = args.film.codec.as_deref() == Some(Codec::Hdr10.word());
+    let is_sharp = !scene.has_cells() && args.shutter.is_none();
+    let bits = bits.unwrap_or(if format == Format::Film && is_sharp {
+        // The film rounds the levels once more. Blurred pictures have 8 bits.
+        PngBits::Sixteen
+    } else {
+        PngBits::Eight
+    });
     let is_cube = scene.camera.projection == Projection::Cube;
     // Of a cube, each side has tiles of its own.
     let size = drawn_at_once(scene).picture.size();
     let is_long = |size: UVec2| size.max_element() > MAX_PICTURE_SIDE;
-    if format == Format::Apng {
-        return if is_long(scene.picture.size()) {
-            let what = if args.size.is_some() {
-                "--size"
-            } else {
-                "picture.width and picture.height"
-            };
-            Err(Stop::refused(format!(
-                "{what}: the pictures of an .apng have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
-                 pictures may be larger"
-            )))
+    if format.holds_sequence() && is_long(scene.picture.size()) {
+        let what = if args.size.is_some() {
+            "--size"
         } else {
-            Ok(is_cube.then_some(Tiling {
-                tiles: Tiles::one(size),
-                bits,
-            }))
+            "picture.width and picture.height"
         };
+        let of_what = match format {
+            Format::Film => "a film",
+            _ => "an .apng",
+        };
+        return Err(Stop::refused(format!(
+            "{what}: the pictures of {of_what} have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
+             pictures may be larger"
+        )));
+    }
+    if format == Format::Apng {
+        return Ok(is_cube.then_some(Tiling {
+            tiles: Tiles::one(size),
+            bits,
+            is_film_of_light,
+        }));
     }
     let is_long = is_long(size);
-    let has_cells = scene.has_cells() && format == Format::Png;
+    let has_cells = scene.has_cells() && format != Format::Exr;
     let pixels = u64::from(size.x) * u64::from(size.y);
     let is_large = is_long || pixels > MAX_UNTILED_PIXELS && !has_cells;
-    if !is_large && !is_cube && bits == PngBits::Eight {
+    if !is_large && !is_cube && (bits == PngBits::Eight || is_film_of_light) {
         return Ok(None);
     }
     if args.timings.is_some() && is_large {
@@ -88,7 +103,11 @@ pub(super) fn tiling(
     } else {
         Tiles::one(size)
     };
-    Ok(Some(Tiling { tiles, bits }))
+    Ok(Some(Tiling {
+        tiles,
+        bits,
+        is_film_of_light,
+    }))
 }
 
 impl Tiling {
@@ -111,8 +130,10 @@ impl Tiling {
     /// How often the tiles of each picture are drawn, or those of each side of a cube.
     pub(super) fn sweeps(&self, pictures: &Pictures) -> impl Iterator<Item = usize> {
         pictures.numbers().map(move |number| match pictures.format {
-            Format::Png => png_sweeps(&drawn_at_once(&pictures.get(number).0), &self.tiles),
-            Format::Apng | Format::Exr => 1,
+            Format::Png | Format::Film if !self.is_film_of_light => {
+                png_sweeps(&drawn_at_once(&pictures.get(number).0), &self.tiles)
+            }
+            _ => 1,
         })
     }
 

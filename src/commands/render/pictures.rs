@@ -74,7 +74,7 @@ impl Pictures {
         match &self.sequence {
             Some(sequence) => {
                 let file = match self.format {
-                    Format::Apng => self.file.clone(),
+                    Format::Apng | Format::Film => self.file.clone(),
                     Format::Png | Format::Exr => sequence.file(number),
                 };
                 (sequence.scene(&self.scene, number), file)
@@ -115,7 +115,7 @@ impl Pictures {
 /// The scene as it is drawn for a file of this format. An EXR has no cells.
 pub(super) fn drawn_scene(scene: &Scene, format: Format) -> Scene {
     match format {
-        Format::Png | Format::Apng => picture::filled(scene),
+        Format::Png | Format::Apng | Format::Film => picture::filled(scene),
         Format::Exr => scene.clone(),
     }
 }

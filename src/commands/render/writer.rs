@@ -1,5 +1,6 @@
 //! Draws scenes and writes their pictures.
 
+use super::film::FilmMaker;
 use super::large::Tiling;
 use super::pictures::drawn_scene;
 use crate::commands::circumstances::commit;
@@ -32,6 +33,8 @@ pub(super) struct PictureWriter {
     pub(super) still: Option<Still>,
     /// Begun with the first frame.
     pub(super) animation: Option<Animation>,
+    /// The film, if the pictures are given to one.
+    pub(super) film: Option<FilmMaker>,
     /// How many pictures there will be.
     pub(super) frames: u32,
     pub(super) fps: Option<f64>,
@@ -70,7 +73,26 @@ impl PictureWriter {
                 Ok(self.add_frame(&scene, file, &still)?)
             }
             Format::Exr => self.write_exr(&scene, file),
+            Format::Film => Ok(self.add_to_film(&scene, file)?),
         }
+    }
+
+    /// Adds the picture of the scene that is shown to the film.
+    fn add_to_film(&mut self, scene: &Scene, file: &Path) -> Result<(), PictureError> {
+        if !self.film.as_ref().is_some_and(FilmMaker::is_of_light) {
+            let still = self.still()?;
+            return self
+                .film
+                .as_mut()
+                .map_or(Ok(()), |film| film.add_still(&still, file));
+        }
+        let light = if self.moments.is_empty() {
+            self.studio.light()?
+        } else {
+            self.mean_light()?.0
+        };
+        let film = self.film.as_mut();
+        film.map_or(Ok(()), |film| film.add_light(&light, scene, file))
     }
 
     /// The picture of the scene that is shown, or that of the mean light of its moments.
@@ -110,6 +132,9 @@ impl PictureWriter {
             tiles: tiling.tiles,
             on_tile,
         };
+        if let Some(film) = &mut self.film {
+            return film.add_large(&mut self.studio, &mut large, file);
+        }
         if self.format == Format::Png {
             let path = (file, tiling.bits);
             return Ok(large.write_png(&mut self.studio, path, &record)?);

@@ -214,3 +214,55 @@ fn only_an_adapter_that_is_a_program_is_said_to_need_a_graphics_card() {
     }
     assert_eq!(said(None), plain);
 }
+
+#[test]
+fn a_loop_has_a_length_and_no_range_of_frames() {
+    let line =
+        "lightfall --journey none render -o a.mp4 --loop 10 --fps 25 --codec av1 --ffmpeg f/ffmpeg";
+    let Command::Render(render) = read(line) else {
+        panic!()
+    };
+    assert_eq!((render.loop_seconds, render.fps), (Some(10.0), 25.0));
+    assert_eq!(render.journey.as_deref(), Some(Path::new("none")));
+    assert_eq!(render.film.codec.as_deref(), Some("av1"));
+    assert_eq!(render.film.ffmpeg.as_deref(), Some(Path::new("f/ffmpeg")));
+    for line in [
+        "lightfall render -o a.mp4 --loop 2 --frames 0..1",
+        "lightfall render -o a.mp4 --loop 2 --timings",
+    ] {
+        assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict, "{line}");
+    }
+    for seconds in ["0", "-1", "nan", "x", "1e9"] {
+        let error = refuse(&format!("lightfall render -o a.mp4 --loop={seconds}")).to_string();
+        assert!(error.contains("from 0.1 to 86400"), "{error}");
+    }
+    let error = refuse("lightfall render -o a.mp4 --frames 0..1 --codec vp9").to_string();
+    assert!(error.contains("h264, hdr10, av1, prores"), "{error}");
+}
+
+#[test]
+fn films_of_pictures_and_tables_have_commands_of_their_own() {
+    let Command::Video(video) = read("lightfall video a-##.png -o a.mp4 --fps 12 --codec h264")
+    else {
+        panic!()
+    };
+    assert_eq!(video.pictures, Path::new("a-##.png"));
+    assert_eq!((video.out.as_path(), video.fps), (Path::new("a.mp4"), 12.0));
+    assert_eq!(video.film.codec.as_deref(), Some("h264"));
+    let Command::Lut(lut) = read("lightfall --spin 0.5 lut -o a.csp --preset 3 --hdr 600") else {
+        panic!()
+    };
+    assert_eq!(
+        (lut.out.as_path(), lut.hdr),
+        (Path::new("a.csp"), Some(600))
+    );
+    assert_eq!(lut.scene.spin.as_deref(), Some("0.5"));
+    for peak in ["299", "10001", "bright"] {
+        let error = refuse(&format!("lightfall lut -o a.csp --hdr {peak}")).to_string();
+        assert!(error.contains("from 300 to 10000"), "{error}");
+    }
+    assert_eq!(
+        refuse("lightfall --preset 2 video a.png -o a.mp4").kind(),
+        ErrorKind::ArgumentConflict
+    );
+}

@@ -28,6 +28,7 @@ mod kerr_schild;
 mod lessons;
 mod light_without_spin;
 mod limb;
+mod lut;
 mod medium;
 mod milky_way;
 mod mino;

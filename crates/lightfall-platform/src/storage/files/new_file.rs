@@ -4,7 +4,7 @@ use super::disk::{parent_folder, temporary_file};
 use super::write_error::WriteError;
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
@@ -67,6 +67,13 @@ impl NewFile {
     /// The file to write to.
     pub fn file(&mut self) -> &mut File {
         self.file.as_file_mut()
+    }
+
+    /// Where the file is until it is finished: for another program, which writes it.
+    #[must_use]
+    pub fn temporary_path(&self) -> PathBuf {
+        let path = self.file.path();
+        absolute(path).unwrap_or_else(|_| path.into())
     }
 
     /// Gives the complete file its name, and replaces an older one of the same name.
