@@ -189,6 +189,10 @@ fn show_ways(ui: &mut egui::Ui, ways: &[ShownWay], style: &Style, shown: &mut Sh
     if style.is_flat {
         ui.horizontal_wrapped(|ui| {
             for way in ways {
+                // A key stays beside its button.
+                if ui.available_size_before_wrap().x < width_of(ui, way, style) {
+                    ui.end_row();
+                }
                 show_way(ui, way, style, shown);
                 ui.add_space(6.0);
             }
@@ -202,6 +206,19 @@ fn show_ways(ui: &mut egui::Ui, ways: &[ShownWay], style: &Style, shown: &mut Sh
             ui.end_row();
         }
     });
+}
+
+/// The width of the keys of a way and its button, in points.
+fn width_of(ui: &egui::Ui, way: &ShownWay, style: &Style) -> f32 {
+    let font = egui::FontId::proportional(style.way);
+    let width = |text: &str| {
+        let text = text.to_owned();
+        let laid_out = ui.fonts_mut(|fonts| fonts.layout_no_wrap(text, font.clone(), WHITE));
+        laid_out.size().x
+    };
+    let spacing = ui.spacing();
+    let button = width(&way.does) + 2.0 * spacing.button_padding.x;
+    width(&way.inputs) + spacing.item_spacing.x + button.max(style.button.x)
 }
 
 /// Shows the keys of a way, and what it does.

@@ -54,6 +54,7 @@ mod ship_orbits;
 mod ship_scenes;
 mod ship_seen_path;
 mod ship_stars;
+mod ship_tank;
 mod ship_values;
 mod sky_picture;
 mod sky_texel;

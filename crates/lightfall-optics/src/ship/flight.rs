@@ -172,7 +172,12 @@ impl Flight {
             let length = left.min(tick.left);
             let before = self.ship.proper_time();
             let limit = self.ship.advance(&tick.controls, length)?;
-            let passed = self.ship.proper_time() - before;
+            // Less than the rounding of the clock empties a tank as well: the clock's difference would
+            // leave a rest for ever.
+            let passed = match limit {
+                Some(_) => self.ship.proper_time() - before,
+                None => length,
+            };
             let size = tick.controls.acceleration.length();
             self.peak_acceleration = self.peak_acceleration.max(size);
             self.rocket.spend(size * passed);

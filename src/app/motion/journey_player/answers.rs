@@ -54,8 +54,12 @@ impl JourneyPlayer {
             0 => String::new(),
             later => format!(", {later} after more tries"),
         };
+        let left = match all.saturating_sub(right(true) + right(false)) {
+            0 => String::new(),
+            left => format!(", {left} not solved"),
+        };
         let questions = counted(all, "question");
-        let sentence = format!("{} of {questions} right at once{later}.", right(true));
+        let sentence = format!("{} of {questions} right at once{later}{left}.", right(true));
         (!self.answers.is_empty()).then_some(sentence)
     }
 

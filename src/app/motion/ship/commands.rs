@@ -21,6 +21,7 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
+use glam::DVec3;
 use lightfall_core::numbers::with_short_numbers;
 use lightfall_core::optics::ship::BoardError;
 use lightfall_core::scene::mission::Mission;
@@ -79,7 +80,7 @@ pub(super) fn apply_ship_commands(
     (mut play, mut asked): (ResMut<MissionPlay>, ResMut<AskedQuestion>),
     mut end_card: ResMut<EndCard>,
     (missions, mut starts): (Res<Missions>, MessageWriter<StartMission>),
-    (bindings, preferences): (Res<Bindings>, Res<Preferences>),
+    (bindings, preferences, mut paused): (Res<Bindings>, Res<Preferences>, ResMut<Paused>),
     mut editor: SceneEditor,
 ) {
     let units = ship.units(&preferences.settings);
@@ -152,6 +153,7 @@ pub(super) fn apply_ship_commands(
                 asked.close();
                 ship.begin_again();
                 play.begin_again();
+                paused.0 = false;
                 editor.say("The mission from its start");
             }
             // The result is kept first.
@@ -188,6 +190,7 @@ pub(crate) fn advance_ship(
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     (mut end_card, asked): (ResMut<EndCard>, Res<AskedQuestion>),
     mut editor: SceneEditor,
+    mut pushed: Local<bool>,
 ) {
     if !ship.is_flown() {
         return;
@@ -204,6 +207,12 @@ pub(crate) fn advance_ship(
         stick: inputs.hand(&pilot).stick(&before, seconds),
         reduced_motion: preferences.settings.reduced_motion,
     };
+    let pushes = frame.stick.thrust != DVec3::ZERO;
+    if pushes && !*pushed && paused.0 && !reads {
+        let pause = bindings.label("motion.pause");
+        editor.say(format!("Paused: the engine waits until {pause} goes on"));
+    }
+    *pushed = pushes;
     let (step, news) = ship.advance(&frame, &before);
     match step {
         FlightStep::Idle => editor.say(format!(

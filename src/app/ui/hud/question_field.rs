@@ -1,6 +1,7 @@
 //! The field in which a question with a number is answered.
 
-use bevy_egui::egui::{self, Response, RichText};
+use bevy_egui::egui::text::{CCursor, CCursorRange};
+use bevy_egui::egui::{self, RichText};
 use lightfall_core::scene::Question;
 
 /// Width of the field, in points.
@@ -18,14 +19,14 @@ pub(super) enum Step {
 }
 
 /// Shows the field, the answer's unit and a button. Typing a number needs no click on the field. Returns
-/// what the user does, and the field, which the caller gives the keyboard again after a wrong answer.
+/// what the user does.
 pub(super) fn show_answer_field(
     ui: &mut egui::Ui,
     question: &Question,
     typed: &mut String,
     is_right: bool,
     size: f32,
-) -> (Step, Response) {
+) -> Step {
     let begun = begun_number(ui);
     typed.push_str(&begun);
     let field = ui.add(egui::TextEdit::singleline(typed).desired_width(WIDTH));
@@ -36,14 +37,18 @@ pub(super) fn show_answer_field(
     let enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
     if !begun.is_empty() {
         field.request_focus();
+        // Otherwise the next digit would stand before the first one.
+        let end = CCursor::new(typed.chars().count());
+        let mut state = egui::TextEdit::load_state(ui.ctx(), field.id).unwrap_or_default();
+        state.cursor.set_char_range(Some(CCursorRange::one(end)));
+        state.store(ui.ctx(), field.id);
     }
-    let step = match (enter, is_right) {
+    match (enter, is_right) {
         (true, true) => Step::IsDone,
         (true, false) if !typed.trim().is_empty() => Step::Answers,
         _ if button => Step::Answers,
         _ => Step::Types,
-    };
-    (step, field)
+    }
 }
 
 /// The part of a number that is typed in this frame while no field has the keyboard.

@@ -199,7 +199,7 @@ fn ask(
         ui.label(words(&said, 0.9 * SIZE, WARNING));
         used
     });
-    let (step, field) = line.inner;
+    let step = line.inner;
     let mut judged = None;
     if step == Step::Answers {
         match question.judge(&answer.typed) {
@@ -210,9 +210,9 @@ fn ask(
             Err(fault) => answer.said = fault,
         }
         if !answer.is_right {
-            // What is said repeats the wrong answer, and the next one begins with an empty field.
+            // What is said repeats the wrong answer, and the next one begins with an empty field. The
+            // keyboard is free meanwhile, so that the keys that go on and back work.
             answer.typed.clear();
-            field.request_focus();
         }
     }
     Asked {

@@ -77,7 +77,7 @@ pub(in crate::app::ui::hud) fn show_question(
                 });
             });
         });
-    let Some((step, field)) = used else {
+    let Some(step) = used else {
         return;
     };
     if closes || step == Step::IsDone {
@@ -87,9 +87,6 @@ pub(in crate::app::ui::hud) fn show_question(
         let kept = answered.map(|result| missions.results.correct_last(result));
         if let Some(Err(fault)) = kept {
             toast.say(fault);
-        }
-        if !asked.is_right {
-            field.request_focus();
         }
     }
 }
