@@ -138,8 +138,8 @@ fn a_film_in_hdr10_is_brighter_than_its_white() {
         .collect();
     assert_eq!(codes.len(), 2 * 3 * 160 * 90);
     let largest = codes.iter().copied().fold(0.0, f64::max);
-    // The code of white is 0.58, and that of the peak 0.752.
-    assert!((0.62..0.78).contains(&largest), "{largest}");
+    // The code of white is 0.58, and that of the peak 0.752. A lossy codec overshoots at edges.
+    assert!((0.62..0.8).contains(&largest), "{largest}");
 }
 
 /// The curves in f64 are those of the shader: an EXR through them is the PNG, to the rounding of half floats

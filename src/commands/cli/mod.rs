@@ -71,7 +71,7 @@ pub enum Command {
     #[command(skip)]
     ListGpus,
     /// Render a picture, or a journey as a sequence of pictures, without a window.
-    Render(RenderArgs),
+    Render(Box<RenderArgs>),
     /// Write the camera's path along a journey, for other programs, without drawing.
     #[command(
         // They concern pictures alone, and are accepted because they may precede the command.
@@ -215,16 +215,18 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
             "--journey is for flying, without a command, for `render` with --frames, and for `camera`",
         ));
     }
+    let follow = |after: &mut SceneArgs| -> Result<(), clap::Error> {
+        let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
+        *after = scene.followed_by(after).ok_or_else(|| conflict(message))?;
+        Ok(())
+    };
     match &mut command {
         Command::Fly(_) | Command::ListGpus => {}
-        Command::Render(RenderArgs { scene: after, .. })
-        | Command::Camera(CameraArgs { scene: after, .. })
+        Command::Render(args) => follow(&mut args.scene)?,
+        Command::Camera(CameraArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. })
         | Command::Lut(LutArgs { scene: after, .. })
-        | Command::Doctor(DoctorArgs { scene: after, .. }) => {
-            let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
-            *after = scene.followed_by(after).ok_or_else(|| conflict(message))?;
-        }
+        | Command::Doctor(DoctorArgs { scene: after, .. }) => follow(after)?,
         Command::Extremes(ExtremesArgs {
             hunt: None,
             seed: Some(_),

@@ -14,7 +14,7 @@ pub struct MissionError {
     /// The line, from 1, of what is wrong, if it is a field or a table.
     line: Option<usize>,
     /// What is wrong.
-    pub fault: Fault,
+    pub fault: Box<Fault>,
 }
 
 impl MissionError {
@@ -25,7 +25,7 @@ impl MissionError {
         Self {
             origin: origin.into(),
             line,
-            fault,
+            fault: Box::new(fault),
         }
     }
 }
