@@ -19,7 +19,7 @@ pub enum Kind {
     Text,
     /// Three finite numbers, the components of a velocity below that of light.
     Velocity,
-    /// Two numbers, to the right and upward, of at most [`MAX_PAIR`].
+    /// Two numbers, to the right and upward, of at most 10.
     Pair,
 }
 

@@ -46,7 +46,7 @@ const MAX_KEPT: usize = 2;
 ///
 /// A texel is [r, g, b, ln(T / 6500 K)] in half floats: linear light, and the temperature of the
 /// thermal light that has the same ratio of red to blue. Seen with the frequency ratio g, it is the
-/// light g^4 [`shifted`](colour::shifted) (rgb, T, g).
+/// light g^4 [`shifted`] (rgb, T, g).
 #[derive(Debug)]
 pub struct SkyPicture {
     /// The name of its file, without folders.
