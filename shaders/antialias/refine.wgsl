@@ -60,7 +60,7 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     own_share = 1.0 / f32(rays);
     lane_beside = lane ^ 1u;
     lane_below = lane ^ side;
-    let place = corner_of(part) + place_in_grid(vec2<u32>(ray % side, ray / side), side);
+    let place = shown_place(corner_of(part) + place_in_grid(vec2<u32>(ray % side, ray / side), side));
     let seen = light_along(photon_from(pixel_direction(place)));
     lights[lane] = vec4<f32>(bounded_light(seen.rgb), seen.a);
     workgroupBarrier();
