@@ -11,21 +11,20 @@ mod types;
 
 pub(in crate::scene) use head::one_table;
 
-use std::fmt;
-use toml::de::{DeTable, Error};
+use super::located::{Located, line_number};
+use thiserror::Error;
+use toml::de::{self, DeTable};
 
 /// Why a text is no TOML, or has not the fields that its reader asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TomlFault {
-    /// The line, from 1. None for what the whole text lacks.
-    line: Option<usize>,
-    /// What was given, and what is allowed or meant.
-    said: String,
-}
+///
+/// Its sentence says what was given, and what is allowed or meant.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct TomlFault(Located<String>);
 
 impl TomlFault {
     /// The fault of a `text` that was read with this `error`.
-    pub fn new(text: &str, error: &Error) -> Self {
+    pub fn new(text: &str, error: &de::Error) -> Self {
         match DeTable::parse(text) {
             Ok(document) => types::told(text, document.get_ref(), error),
             Err(error) => syntax::told(text, &error),
@@ -34,26 +33,11 @@ impl TomlFault {
 
     /// A fault at this place of the text.
     fn at(text: &str, at: usize, said: String) -> Self {
-        Self {
+        Self(Located {
             line: Some(line_number(text, at)),
-            said,
-        }
+            what: said,
+        })
     }
-}
-
-impl fmt::Display for TomlFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "line {line}: {}", self.said),
-            None => f.write_str(&self.said),
-        }
-    }
-}
-
-/// The line of a place, from 1.
-fn line_number(text: &str, at: usize) -> usize {
-    let before = text.as_bytes().iter().take(at);
-    1 + before.filter(|byte| **byte == b'\n').count()
 }
 
 /// A part of a text between backticks, as a sentence quotes it.

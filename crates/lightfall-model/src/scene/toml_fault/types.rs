@@ -2,7 +2,7 @@
 
 use super::head::{name_in_head, one_table, several_tables};
 use super::tokens::Tokens;
-use super::{TomlFault, first_line, shown};
+use super::{Located, TomlFault, first_line, shown};
 use crate::scene::nearest_name;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
@@ -17,10 +17,10 @@ pub(super) fn told(text: &str, document: &DeTable<'_>, error: &Error) -> TomlFau
         let field = in_backticks(rest).next().unwrap_or(rest);
         return match name {
             Some(table) => TomlFault::at(text, at, format!("{table} has no field `{field}`")),
-            None => TomlFault {
+            None => TomlFault(Located {
                 line: None,
-                said: format!("the field `{field}` is missing"),
-            },
+                what: format!("the field `{field}` is missing"),
+            }),
         };
     }
     TomlFault::at(text, at, said(text, &span, name, message))
