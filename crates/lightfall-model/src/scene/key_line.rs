@@ -32,7 +32,9 @@ pub(super) fn line_of(text: &str, (table, key): Place<'_>) -> Option<usize> {
         // Which of the two it is, the fault does not say.
         (Some(_), Some(_)) | (None, None) => {
             match inside.iter().map(|(key, _)| key.span().start).min() {
-                Some(first) => head_above(text, name, first).or_else(|| Some(line_number(text, first))),
+                Some(first) => {
+                    head_above(text, name, first).or_else(|| Some(line_number(text, first)))
+                }
                 None => head_of(text, name, number),
             }
         }

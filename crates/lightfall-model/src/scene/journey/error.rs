@@ -211,11 +211,10 @@ fn keyframe_keys() -> Vec<&'static str> {
     own.chain(NAMES.map(|(name, _)| name)).collect()
 }
 
-/// The part of a sentence that says which key was probably meant by an unknown one. Empty if none was.
-fn meant(key: &str, known: &[&str]) -> String {
-    let is_known = known.contains(&key);
-    let known: Vec<String> = known.iter().map(|known| (*known).to_owned()).collect();
-    match nearest_name(key, &known).filter(|_| !is_known) {
+/// The part of a sentence that says which name was probably meant by an unknown one. Empty if none was.
+pub(super) fn meant(name: &str, known: &[&str]) -> String {
+    let is_known = known.contains(&name);
+    match nearest_name(name, known).filter(|_| !is_known) {
         Some(meant) => format!("did you mean {meant}?; "),
         None => String::new(),
     }

@@ -2,11 +2,11 @@
 
 use super::Journey;
 use super::camera_rows::journey_along;
+use super::error::meant;
 use super::row::Row;
 use crate::numbers::counted;
 use crate::scene::camera_path::COLUMNS;
 use crate::scene::located::Located;
-use crate::scene::nearest_name;
 use crate::scene::value::quoted;
 use thiserror::Error;
 
@@ -121,12 +121,9 @@ impl Header {
         let mut columns = Vec::new();
         for name in split(line) {
             let Some(column) = COLUMNS.into_iter().find(|column| *column == name) else {
-                let known = COLUMNS.map(str::to_owned);
-                let meant =
-                    nearest_name(name, &known).map(|meant| format!("did you mean {meant}?; "));
                 return Err(PathFault::UnknownColumn {
                     given: quoted(name),
-                    meant: meant.unwrap_or_default(),
+                    meant: meant(name, &COLUMNS),
                 });
             };
             if columns.contains(&column) {

@@ -213,7 +213,7 @@ fn hint_of_stop(key: &str) -> String {
         "inspector",
         "question",
     ];
-    match nearest_name(key, &OWN.map(str::to_owned)) {
+    match nearest_name(key, &OWN) {
         // Keyframes and captions have a time, and a field of scenes has that name, too.
         _ if key == "time" => "did you mean at?".into(),
         Some(own) => format!("did you mean {own}?"),

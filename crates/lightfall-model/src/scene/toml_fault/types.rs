@@ -77,7 +77,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
 fn unknown_field(rest: &str) -> String {
     let mut names = in_backticks(rest);
     let given = names.next().unwrap_or_default();
-    let known: Vec<String> = names.map(str::to_owned).collect();
+    let known: Vec<&str> = names.collect();
     match nearest_name(given, &known) {
         Some(meant) => format!("unknown field `{given}`; did you mean `{meant}`?"),
         None => format!(
@@ -92,7 +92,7 @@ fn unknown_field(rest: &str) -> String {
 fn one_of(rest: &str) -> String {
     let mut words = in_backticks(rest);
     let given = words.next().unwrap_or_default();
-    let known: Vec<String> = words.map(str::to_owned).collect();
+    let known: Vec<&str> = words.collect();
     let hint = nearest_name(given, &known).map(|meant| format!("; did you mean {meant}?"));
     format!("one of {}{}", known.join(", "), hint.unwrap_or_default())
 }
