@@ -10,7 +10,7 @@ mod csv;
 mod usd;
 
 use super::{Camera, Observer, Projection, Scene};
-use crate::geometry::sphere::wrap_degrees;
+use crate::geometry::sphere::nearest_turn;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 /// The columns of a camera path in CSV.
@@ -87,7 +87,7 @@ impl CameraPath {
                 (&mut camera.yaw_deg, before.yaw_deg),
                 (&mut camera.roll_deg, before.roll_deg),
             ] {
-                *angle = before + wrap_degrees(*angle - before);
+                *angle = nearest_turn(*angle, before);
             }
             if turn.dot(*last) < 0.0 {
                 turn = -turn;
