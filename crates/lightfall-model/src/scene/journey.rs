@@ -92,6 +92,26 @@ pub struct Journey {
 }
 
 impl Journey {
+    /// A journey without a way and without words, which readers of journeys fill.
+    fn empty() -> Self {
+        Self {
+            title: String::new(),
+            teaches: String::new(),
+            ending: String::new(),
+            preset: None,
+            captions: Vec::new(),
+            stops: Vec::new(),
+            duration: 0.0,
+            keyframes: Vec::new(),
+            tracks: Tracks::default(),
+            tracks_in_rain: Tracks::default(),
+            fields: FieldTracks::default(),
+            path: None,
+            kinds: Vec::new(),
+            clock: Clock::default(),
+        }
+    }
+
     /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
     /// it stays.
     pub fn caption_at(&self, time: f64) -> Option<&Caption> {

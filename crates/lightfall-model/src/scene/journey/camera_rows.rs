@@ -68,14 +68,7 @@ pub(super) fn journey_along(rows: &[Row], by_quaternion: bool) -> Journey {
         }
     }
     Journey {
-        title: String::new(),
-        teaches: String::new(),
-        ending: String::new(),
-        preset: None,
-        captions: Vec::new(),
-        stops: Vec::new(),
         duration: rows.last().map_or(0.0, |row| row.time),
-        keyframes: Vec::new(),
         tracks_in_rain: tracks.clone(),
         tracks,
         fields: FieldTracks::of_exposure(&points(&|row| row.exposure_ev)),
@@ -88,5 +81,6 @@ pub(super) fn journey_along(rows: &[Row], by_quaternion: bool) -> Journey {
             rates: Vec::new(),
             times: points(&|row| row.disk_time),
         },
+        ..Journey::empty()
     }
 }

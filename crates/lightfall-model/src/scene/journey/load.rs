@@ -159,23 +159,17 @@ fn flown(keyframes: Vec<Keyframe>, [values, in_rain]: [Vec<Values>; 2]) -> Journ
         .map(|frame| (frame.time - start, frame.ease, &frame.set));
     let fields = FieldTracks::through(&set.collect::<Vec<_>>());
     Journey {
-        title: String::new(),
-        teaches: String::new(),
-        ending: String::new(),
-        preset: None,
-        captions: Vec::new(),
-        stops: Vec::new(),
         duration: end - start,
         tracks: tracks(&values),
         tracks_in_rain: tracks(&in_rain),
         fields,
-        path: None,
         kinds: keyframes.iter().filter_map(kind).collect(),
         clock: Clock {
             rates: numbers("disk_rate"),
             times: numbers("disk_time"),
         },
         keyframes,
+        ..Journey::empty()
     }
 }
 

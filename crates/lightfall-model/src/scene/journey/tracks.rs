@@ -79,7 +79,7 @@ const QUANTITIES: [Quantity; 12] = [
 ];
 
 /// The tracks of all quantities; none for a quantity that no keyframe names.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Tracks([Option<Track>; QUANTITIES.len()]);
 
 impl Tracks {
