@@ -103,7 +103,7 @@ impl CameraPath {
         });
     }
 
-    /// Whether some camera's picture is none that USD has, which draws pinhole cameras.
+    /// Whether some camera has a projection that USD does not have: its cameras are pinhole cameras.
     #[must_use]
     pub fn is_beyond_usd(&self) -> bool {
         let mut cameras = self.stations.iter().map(|station| &station.camera);
@@ -122,4 +122,10 @@ fn pose(camera: &Camera) -> (DVec3, DMat3) {
 /// The shift of a camera's picture, to the right and upward, in picture heights.
 fn shift(camera: &Camera) -> DVec2 {
     DVec2::from_array(camera.shift)
+}
+
+/// A number with the digits from which it can be read back exactly. Adding zero removes the sign of a
+/// negative zero.
+fn number(x: f64) -> String {
+    (x + 0.0).to_string()
 }
