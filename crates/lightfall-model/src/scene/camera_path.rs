@@ -1,7 +1,7 @@
-//! The way of a scene's camera from picture to picture, for programs that draw something else with the same
-//! camera: as a table in CSV, which is a journey as well, and as a camera in USD.
+//! The path of a scene's camera from picture to picture, for programs that draw something else with the same
+//! camera: as a table in CSV, which can be flown as a journey, and as a camera in USD.
 //!
-//! Both have flat space around the hole: a place is r n, with n the unit vector toward the
+//! Both treat the space around the hole as flat: a place is r n, with n the unit vector toward the
 //! Boyer-Lindquist angles theta and phi, in r_s, with z along the spin axis. The camera is one with x to
 //! the right and y up that looks along -z. Its axes are those of the observer; what the hole and the
 //! observer's motion do to the directions of light is in the picture and not in the path.

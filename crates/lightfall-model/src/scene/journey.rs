@@ -4,8 +4,8 @@
 //! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
 //! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
 //! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that
-//! no keyframe names keeps its value in the scene. A keyframe's `ease` gives what follows another course,
-//! and its table `set` leads any other field.
+//! no keyframe names keeps its value in the scene. A keyframe's `ease` chooses another curve up to the next
+//! keyframe, and its table `set` leads other fields of the scene.
 //!
 //! A camera path, a table of rows in CSV, is a journey, too.
 
@@ -166,9 +166,9 @@ impl Journey {
     }
 
     /// Writes the camera, the observer, the disk's tilt, the rate of its clock and the fields that
-    /// keyframes set after `time` seconds into `scene`. Times before the first keyframe count as the first, times after the
-    /// last as the last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the
-    /// disk's time.
+    /// keyframes set after `time` seconds into `scene`. Times before the first keyframe count as the
+    /// first, times after the last as the last. The scene is not checked.
+    /// [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer,
     /// `orbit` becomes `static`, as when flying by hand.

@@ -1,7 +1,8 @@
 //! What is wrong with a text in TOML, in words for people who know nothing of TOML.
 //!
-//! The parser says what it expects next. Who writes a preset or a lesson needs to know what stands there
-//! and what is meant, so each common slip has a sentence of its own, and the parser's words reach nobody.
+//! The parser says which token it expects next. The author of a preset or a lesson needs to know what is
+//! wrong and what was probably meant, so each common mistake has a sentence of its own, and the parser's
+//! messages are not shown.
 
 mod head;
 mod scalar;
@@ -15,7 +16,7 @@ use super::located::{Located, line_number};
 use thiserror::Error;
 use toml::de::{self, DeTable};
 
-/// Why a text is no TOML, or has not the fields that its reader asks for.
+/// Why a text is not TOML, or lacks the fields that its reader asks for.
 ///
 /// Its sentence says what was given, and what is allowed or meant.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

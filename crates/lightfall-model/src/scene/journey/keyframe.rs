@@ -20,7 +20,7 @@ pub(super) type Values = BTreeMap<&'static str, Value>;
 pub(super) struct Keyframe {
     /// When it is, in seconds.
     pub(super) time: f64,
-    /// How what it names goes on to the next keyframe that names it.
+    /// How each quantity that it names changes until the next keyframe that names it.
     pub(super) ease: Ease,
     /// What it names.
     pub(super) values: Values,
