@@ -96,15 +96,15 @@ impl ApparentHole {
 pub fn dark_share(scene: &Scene) -> Result<f64, ObserverError> {
     let reference = Reference::new(scene)?;
     let axes = scene.camera.tetrad_from_camera();
-    let (mut dark, mut all) = (0.0, 0.0);
+    let (mut dark, mut all) = (0_u32, 0_u32);
     for direction in picture_directions(scene) {
         let trace = reference.trace(axes * direction);
         let is_dark = trace.outcome == Outcome::Captured && trace.hits[0].is_none();
-        dark += f64::from(u8::from(is_dark));
-        all += 1.0;
+        dark += u32::from(is_dark);
+        all += 1;
     }
     // A circle that lies beside its picture shows nothing.
-    Ok(if all > 0.0 { dark / all } else { 0.0 })
+    Ok(f64::from(dark) / f64::from(all.max(1)))
 }
 
 /// Unit looking directions (right, up, forward) evenly spread over the picture, within the circle of

@@ -57,6 +57,17 @@ pub fn face_and_place(direction: DVec3) -> (usize, f64, f64) {
     (face, 0.5 * (s / along + 1.0), 0.5 * (t / along + 1.0))
 }
 
+/// All texels of the levels of a cube map, face by face, and each face level by level: the order
+/// `LayerMajor` of textures.
+pub(crate) fn layer_major<T>(levels: &[Vec<T>]) -> impl Iterator<Item = &T> {
+    (0..FACES).flat_map(move |face| {
+        levels.iter().flat_map(move |texels| {
+            let of_face = texels.len() / FACES;
+            &texels[face * of_face..(face + 1) * of_face]
+        })
+    })
+}
+
 /// The next coarser level of texels, `size` a side: means of 2x2, weighted with solid angles.
 pub(crate) fn halved<const N: usize>(texels: &[[f32; N]], size: usize) -> Vec<[f32; N]> {
     let half = size / 2;

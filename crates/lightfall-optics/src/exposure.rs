@@ -5,6 +5,7 @@
 //! The sky counts a little, so that the exposure changes smoothly when the disk leaves the picture.
 
 use crate::limb::Limb;
+use crate::lut::srgb;
 use crate::medium::{Medium, Tolerance};
 use crate::photometry::DISK_HDR_SCALE;
 use crate::reference::Reference;
@@ -220,15 +221,6 @@ fn samples(scene: &Scene, max_rays: u32) -> Result<Vec<Sample>, ObserverError> {
         }
     }
     Ok(samples)
-}
-
-/// sRGB's level of a linear one.
-fn srgb(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    }
 }
 
 /// The linear level of sRGB's level.

@@ -1,5 +1,5 @@
-//! The request to end that schedulers send some time before they kill a program: SIGTERM. Other systems
-//! than Unix have none.
+//! The request to end that schedulers send some time before they kill a program: SIGTERM. Only Unix has
+//! it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 #[cfg(unix)]
@@ -22,7 +22,7 @@ pub fn is_asked() -> bool {
 }
 
 /// Notes requests to end from now on. Without it, a request ends the program at once and leaves its
-/// temporary files. If the system gives no pipe or no thread for it, that stays so.
+/// temporary files. The same happens if the system provides no pipe or no thread.
 pub fn watch() {
     #[cfg(unix)]
     {

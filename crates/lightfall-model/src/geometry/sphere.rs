@@ -49,3 +49,8 @@ pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
 pub fn wrap_degrees(degrees: f64) -> f64 {
     degrees - 360.0 * (degrees / 360.0).round()
 }
+
+/// The same angle in degrees, with as many whole turns as bring it nearest to `other`.
+pub fn nearest_turn(degrees: f64, other: f64) -> f64 {
+    other + wrap_degrees(degrees - other)
+}

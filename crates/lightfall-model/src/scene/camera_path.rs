@@ -1,7 +1,7 @@
-//! The way of a scene's camera from picture to picture, for programs that draw something else with the same
-//! camera: as a table in CSV, which is a journey as well, and as a camera in USD.
+//! The path of a scene's camera from picture to picture, for programs that draw something else with the same
+//! camera: as a table in CSV, which can be flown as a journey, and as a camera in USD.
 //!
-//! Both have flat space around the hole: a place is r n, with n the unit vector toward the
+//! Both treat the space around the hole as flat: a place is r n, with n the unit vector toward the
 //! Boyer-Lindquist angles theta and phi, in r_s, with z along the spin axis. The camera is one with x to
 //! the right and y up that looks along -z. Its axes are those of the observer; what the hole and the
 //! observer's motion do to the directions of light is in the picture and not in the path.
@@ -10,7 +10,7 @@ mod csv;
 mod usd;
 
 use super::{Camera, Observer, Projection, Scene};
-use crate::geometry::sphere::wrap_degrees;
+use crate::geometry::sphere::nearest_turn;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 /// The columns of a camera path in CSV.
@@ -87,7 +87,7 @@ impl CameraPath {
                 (&mut camera.yaw_deg, before.yaw_deg),
                 (&mut camera.roll_deg, before.roll_deg),
             ] {
-                *angle = before + wrap_degrees(*angle - before);
+                *angle = nearest_turn(*angle, before);
             }
             if turn.dot(*last) < 0.0 {
                 turn = -turn;
@@ -103,7 +103,7 @@ impl CameraPath {
         });
     }
 
-    /// Whether some camera's picture is none that USD has, which draws pinhole cameras.
+    /// Whether some camera has a projection that USD does not have: its cameras are pinhole cameras.
     #[must_use]
     pub fn is_beyond_usd(&self) -> bool {
         let mut cameras = self.stations.iter().map(|station| &station.camera);
@@ -122,4 +122,10 @@ fn pose(camera: &Camera) -> (DVec3, DMat3) {
 /// The shift of a camera's picture, to the right and upward, in picture heights.
 fn shift(camera: &Camera) -> DVec2 {
     DVec2::from_array(camera.shift)
+}
+
+/// A number with the digits from which it can be read back exactly. Adding zero removes the sign of a
+/// negative zero.
+fn number(x: f64) -> String {
+    (x + 0.0).to_string()
 }

@@ -25,6 +25,12 @@ pub struct CubeLayout {
     pub columns: u32,
 }
 
+// The sides that all layouts have in the same position. Those above and below are turned.
+const LEFT: CubeSide = side("left", DVec3::Z, DVec3::Y);
+const RIGHT: CubeSide = side("right", DVec3::NEG_Z, DVec3::Y);
+const FRONT: CubeSide = side("front", DVec3::X, DVec3::Y);
+const BACK: CubeSide = side("back", DVec3::NEG_X, DVec3::Y);
+
 const fn side(name: &'static str, right: DVec3, up: DVec3) -> CubeSide {
     CubeSide { name, right, up }
 }
@@ -33,12 +39,12 @@ impl CubeLayout {
     /// Three sides beside each other, as ffmpeg's filter v360 calls c3x2.
     pub const THREE_BY_TWO: Self = Self {
         sides: [
-            side("right", DVec3::NEG_Z, DVec3::Y),
-            side("left", DVec3::Z, DVec3::Y),
+            RIGHT,
+            LEFT,
             side("up", DVec3::X, DVec3::NEG_Z),
             side("down", DVec3::X, DVec3::Z),
-            side("front", DVec3::X, DVec3::Y),
-            side("back", DVec3::NEG_X, DVec3::Y),
+            FRONT,
+            BACK,
         ],
         columns: 3,
     };
@@ -46,12 +52,12 @@ impl CubeLayout {
     /// OpenEXR's column of six (ImfEnvmap.h), whose x axis is to the left.
     pub const COLUMN: Self = Self {
         sides: [
-            side("left", DVec3::Z, DVec3::Y),
-            side("right", DVec3::NEG_Z, DVec3::Y),
+            LEFT,
+            RIGHT,
             side("up", DVec3::NEG_X, DVec3::Z),
             side("down", DVec3::NEG_X, DVec3::NEG_Z),
-            side("front", DVec3::X, DVec3::Y),
-            side("back", DVec3::NEG_X, DVec3::Y),
+            FRONT,
+            BACK,
         ],
         columns: 1,
     };

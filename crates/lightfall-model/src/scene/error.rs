@@ -2,6 +2,7 @@
 
 use super::fields::field;
 use super::key_line::line_of;
+use super::located::Located;
 use super::range::Kind;
 use super::toml_fault::TomlFault;
 use crate::numbers::number_with_comma;
@@ -93,46 +94,31 @@ impl Refusal {
 }
 
 /// Why a preset and its overrides do not make a scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{origin}: {fault}")]
 pub struct SceneError {
     /// Where the fault was written: a file, a preset or an option of the command line.
-    pub origin: String,
-    /// The line of a file in which the field is, from 1.
-    line: Option<usize>,
+    origin: String,
     /// What is wrong.
-    pub fault: SceneFault,
+    pub(super) fault: Located<SceneFault>,
 }
 
 impl SceneError {
     pub(super) fn new(origin: &str, fault: SceneFault) -> Self {
         Self {
             origin: origin.into(),
-            line: None,
-            fault,
+            fault: Located {
+                line: None,
+                what: fault,
+            },
         }
     }
 
     /// The same error with its line, if it is one of the preset with this origin and text.
-    pub(super) fn in_text(self, origin: &str, text: &str) -> Self {
-        let key = self.fault.key().filter(|_| self.origin == origin);
-        let line = key.and_then(|key| line_of(text, None, key));
-        Self { line, ..self }
-    }
-}
-
-impl std::error::Error for SceneError {}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            origin,
-            line,
-            fault,
-        } = self;
-        match line {
-            Some(line) => write!(f, "{origin}: line {line}: {fault}"),
-            None => write!(f, "{origin}: {fault}"),
-        }
+    pub(super) fn in_text(mut self, origin: &str, text: &str) -> Self {
+        let key = self.fault.what.key().filter(|_| self.origin == origin);
+        self.fault.line = key.and_then(|key| line_of(text, (None, key)));
+        self
     }
 }
 
@@ -141,8 +127,8 @@ impl fmt::Display for SceneError {
 #[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum SceneFault {
     /// The text is not TOML, or has fields or values of another kind.
-    #[error("{0}")]
-    Toml(TomlFault),
+    #[error(transparent)]
+    Toml(#[from] TomlFault),
     /// The preset was written for another version of the format.
     #[error(
         "schema = {given} is another version of the preset format; this program reads schema 1"
@@ -187,11 +173,5 @@ impl SceneFault {
             | Self::NotAnAssignment { .. }
             | Self::SetByMission { .. } => None,
         }
-    }
-}
-
-impl From<TomlFault> for SceneFault {
-    fn from(fault: TomlFault) -> Self {
-        Self::Toml(fault)
     }
 }

@@ -3,6 +3,7 @@
 use super::SCHEMA;
 use super::error::{Refusal, SceneFault};
 use super::field::Field;
+use super::hint::is_table;
 use super::range::{Kind, number};
 use super::toml_fault::TomlFault;
 use super::value::{Value, quoted};
@@ -31,6 +32,36 @@ impl Field {
         let typed = typed.ok_or_else(|| self.refusal(given(value)))?;
         self.check_kind(&typed).map(|()| typed)
     }
+
+    /// As [`Field::read`], for a value that must be in the field's range whatever the other fields are.
+    ///
+    /// # Errors
+    /// As those of [`Field::read`], or the number is out of range.
+    pub(super) fn read_in_range(&self, value: &toml::Value) -> Result<Value, Refusal> {
+        let value = self.read(value)?;
+        match value.number() {
+            Some(number) if !self.kind.range().contains(number) => {
+                Err(self.refusal(value.quoted()))
+            }
+            _ => Ok(value),
+        }
+    }
+}
+
+/// The entries of a table, each with its whole key: an entry of an inner table whose name is that of a table
+/// of fields has both names, as in `hole.spin`.
+pub(super) fn flattened(table: Table) -> Vec<(String, toml::Value)> {
+    let mut entries = Vec::new();
+    for (key, value) in table {
+        match value {
+            toml::Value::Table(inner) if is_table(&key) => {
+                let inner = inner.into_iter();
+                entries.extend(inner.map(|(name, value)| (format!("{key}.{name}"), value)));
+            }
+            value => entries.push((key, value)),
+        }
+    }
+    entries
 }
 
 /// A number, written with or without a decimal point.

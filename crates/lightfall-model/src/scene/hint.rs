@@ -34,22 +34,23 @@ pub(super) fn hint(key: &str) -> String {
 
 /// The name that was probably meant: the one nearest to `given` by Levenshtein's distance, or the
 /// only one that begins with it. `None` if every name differs in more than a third of its letters.
-pub fn nearest_name(given: &str, names: &[String]) -> Option<String> {
+pub fn nearest_name(given: &str, names: &[impl AsRef<str>]) -> Option<String> {
     const MAX_LENGTH: usize = 60;
     if given.is_empty() || given.len() > MAX_LENGTH {
         return None;
     }
     let wanted = given.to_lowercase();
-    let mut begin = names.iter().filter(|name| name.starts_with(&wanted));
+    let names = names.iter().map(AsRef::<str>::as_ref);
+    let mut begin = names.clone().filter(|name| name.starts_with(&wanted));
     if let (Some(only), None) = (begin.next(), begin.next()) {
-        return Some(only.clone());
+        return Some(only.into());
     }
-    let distance = |name: &String| levenshtein(&wanted, &name.to_lowercase());
-    let nearest = names.iter().min_by_key(|name| distance(name))?;
+    let distance = |name: &str| levenshtein(&wanted, &name.to_lowercase());
+    let nearest = names.min_by_key(|name| distance(name))?;
     let most = 1 + nearest.chars().count() / 3;
     // A short word such as a number is not a misspelled name.
     (distance(nearest) <= most && distance(nearest) < wanted.chars().count())
-        .then(|| nearest.clone())
+        .then(|| nearest.into())
 }
 
 /// The field whose name is nearest to this one by Levenshtein's distance, compared in full or after

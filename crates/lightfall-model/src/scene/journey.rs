@@ -4,8 +4,8 @@
 //! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
 //! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
 //! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that
-//! no keyframe names keeps its value in the scene. A keyframe's `ease` gives what follows another course,
-//! and its table `set` leads any other field.
+//! no keyframe names keeps its value in the scene. A keyframe's `ease` chooses another curve up to the next
+//! keyframe, and its table `set` leads other fields of the scene.
 //!
 //! A camera path, a table of rows in CSV, is a journey, too.
 
@@ -92,6 +92,26 @@ pub struct Journey {
 }
 
 impl Journey {
+    /// A journey without a way and without words, which readers of journeys fill.
+    fn empty() -> Self {
+        Self {
+            title: String::new(),
+            teaches: String::new(),
+            ending: String::new(),
+            preset: None,
+            captions: Vec::new(),
+            stops: Vec::new(),
+            duration: 0.0,
+            keyframes: Vec::new(),
+            tracks: Tracks::default(),
+            tracks_in_rain: Tracks::default(),
+            fields: FieldTracks::default(),
+            path: None,
+            kinds: Vec::new(),
+            clock: Clock::default(),
+        }
+    }
+
     /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
     /// it stays.
     pub fn caption_at(&self, time: f64) -> Option<&Caption> {
@@ -146,9 +166,9 @@ impl Journey {
     }
 
     /// Writes the camera, the observer, the disk's tilt, the rate of its clock and the fields that
-    /// keyframes set after `time` seconds into `scene`. Times before the first keyframe count as the first, times after the
-    /// last as the last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the
-    /// disk's time.
+    /// keyframes set after `time` seconds into `scene`. Times before the first keyframe count as the
+    /// first, times after the last as the last. The scene is not checked.
+    /// [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer,
     /// `orbit` becomes `static`, as when flying by hand.

@@ -1,14 +1,18 @@
 //! The line of a key in a text in TOML, for messages.
 
+use super::located::line_number;
 use toml::de::{DeTable, DeValue};
 
-/// The line, from 1, of a dotted key: of the whole text, or of the table of this name and number, from 1. Of
-/// a key that is missing, the line where its table begins. None if there is none of them.
-pub(super) fn line_of(text: &str, table: Option<(&str, usize)>, key: &str) -> Option<usize> {
+/// A dotted key of the whole text, or of the table of this name and number, from 1.
+pub(super) type Place<'a> = (Option<(&'a str, usize)>, &'a str);
+
+/// The line of a key, from 1. Of a key that is missing, the line where its table begins. None if there is
+/// neither.
+pub(super) fn line_of(text: &str, (table, key): Place<'_>) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;
     let whole = document.get_ref();
     let Some((name, number)) = table else {
-        return line_at(text, start_of(whole, key)?);
+        return Some(line_number(text, start_of(whole, key)?));
     };
     let DeValue::Array(tables) = whole.get(name)?.get_ref() else {
         return None;
@@ -24,11 +28,13 @@ pub(super) fn line_of(text: &str, table: Option<(&str, usize)>, key: &str) -> Op
         _ => None,
     });
     match (own, in_rain) {
-        (Some(at), None) | (None, Some(at)) => line_at(text, at),
+        (Some(at), None) | (None, Some(at)) => Some(line_number(text, at)),
         // Which of the two it is, the fault does not say.
         (Some(_), Some(_)) | (None, None) => {
             match inside.iter().map(|(key, _)| key.span().start).min() {
-                Some(first) => head_above(text, name, first).or_else(|| line_at(text, first)),
+                Some(first) => {
+                    head_above(text, name, first).or_else(|| Some(line_number(text, first)))
+                }
                 None => head_of(text, name, number),
             }
         }
@@ -75,9 +81,4 @@ fn head_of(text: &str, name: &str, number: usize) -> Option<usize> {
     let mut heads = lines.filter(|(_, line)| is_head(line, name));
     let (place, _) = heads.nth(number.checked_sub(1)?)?;
     Some(place + 1)
-}
-
-fn line_at(text: &str, at: usize) -> Option<usize> {
-    let before = text.as_bytes().get(..at)?;
-    Some(1 + before.iter().filter(|byte| **byte == b'\n').count())
 }

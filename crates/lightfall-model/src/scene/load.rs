@@ -127,7 +127,7 @@ fn is_empty_table(value: &toml::Value) -> bool {
 
 /// A refusal of a value that is no number names the same range as that of a number out of range.
 fn with_range_of(mut error: SceneError, scene: &Scene) -> SceneError {
-    if let SceneFault::Refused(refusal) = &mut error.fault
+    if let SceneFault::Refused(refusal) = &mut error.fault.what
         && let Some(field) = field(refusal.key)
     {
         let (range, because) = scene.range(field);

@@ -29,6 +29,7 @@ mod key_line;
 mod light_sources;
 mod limits;
 mod load;
+mod located;
 mod matter;
 mod method;
 pub mod mission;

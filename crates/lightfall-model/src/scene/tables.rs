@@ -42,6 +42,8 @@ const CAMERA: Range = Range::closed(0.1, MAX_RADIUS);
 const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), MAX_FIELD_OF_VIEW_DEG);
 /// The largest vertical field of view, in degrees.
 pub(super) const MAX_FIELD_OF_VIEW_DEG: f64 = 179.0;
+/// The largest field of view of a fisheye picture, in degrees.
+pub(super) const MAX_FISHEYE_DEG: f64 = 360.0;
 
 /// Declares a table: the struct with its defaults, and the rows of its fields in the field table.
 /// `in (camera)` is the table's name in a preset; the scene itself has none, and holds the tables.
@@ -178,7 +180,7 @@ table! {
         /// How the picture shows directions.
         projection: Projection = Projection::default();
         /// Field of view of a fisheye picture, across its circle.
-        fisheye_deg: f64 = 180.0, Range::closed(1.0, 360.0), "degrees";
+        fisheye_deg: f64 = 180.0, Range::closed(1.0, MAX_FISHEYE_DEG), "degrees";
         /// Diameter of a fisheye picture's circle, as a share of the picture's shorter side.
         circle: f64 = 1.0, Range::closed(0.5, 4.0), "";
         /// Where the line of sight crosses a perspective or fisheye picture, from its middle: to the

@@ -1,7 +1,8 @@
 //! What is wrong with a text in TOML, in words for people who know nothing of TOML.
 //!
-//! The parser says what it expects next. Who writes a preset or a lesson needs to know what stands there
-//! and what is meant, so each common slip has a sentence of its own, and the parser's words reach nobody.
+//! The parser says which token it expects next. The author of a preset or a lesson needs to know what is
+//! wrong and what was probably meant, so each common mistake has a sentence of its own, and the parser's
+//! messages are not shown.
 
 mod head;
 mod scalar;
@@ -11,21 +12,20 @@ mod types;
 
 pub(in crate::scene) use head::one_table;
 
-use std::fmt;
-use toml::de::{DeTable, Error};
+use super::located::{Located, line_number};
+use thiserror::Error;
+use toml::de::{self, DeTable};
 
-/// Why a text is no TOML, or has not the fields that its reader asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TomlFault {
-    /// The line, from 1. None for what the whole text lacks.
-    line: Option<usize>,
-    /// What was given, and what is allowed or meant.
-    said: String,
-}
+/// Why a text is not TOML, or lacks the fields that its reader asks for.
+///
+/// Its sentence says what was given, and what is allowed or meant.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct TomlFault(Located<String>);
 
 impl TomlFault {
     /// The fault of a `text` that was read with this `error`.
-    pub fn new(text: &str, error: &Error) -> Self {
+    pub fn new(text: &str, error: &de::Error) -> Self {
         match DeTable::parse(text) {
             Ok(document) => types::told(text, document.get_ref(), error),
             Err(error) => syntax::told(text, &error),
@@ -34,26 +34,11 @@ impl TomlFault {
 
     /// A fault at this place of the text.
     fn at(text: &str, at: usize, said: String) -> Self {
-        Self {
+        Self(Located {
             line: Some(line_number(text, at)),
-            said,
-        }
+            what: said,
+        })
     }
-}
-
-impl fmt::Display for TomlFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "line {line}: {}", self.said),
-            None => f.write_str(&self.said),
-        }
-    }
-}
-
-/// The line of a place, from 1.
-fn line_number(text: &str, at: usize) -> usize {
-    let before = text.as_bytes().iter().take(at);
-    1 + before.filter(|byte| **byte == b'\n').count()
 }
 
 /// A part of a text between backticks, as a sentence quotes it.

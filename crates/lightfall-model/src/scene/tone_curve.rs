@@ -27,11 +27,7 @@ impl ToneCurve {
                 1.0 - rest * rest / (light + rest - SHOULDER)
             }
             Self::Soft => SOFT_WHITE * (1.0 - (-light).exp()),
-            Self::Aces => {
-                let level = (light * (light + 0.024_578_6) - 0.000_090_537)
-                    / (light * (0.983_729 * light + 0.432_951) + 0.238_081);
-                level.clamp(0.0, 1.0)
-            }
+            Self::Aces => film_level(light).clamp(0.0, 1.0),
             Self::Reinhard => light / (1.0 + light),
         }
     }
@@ -102,15 +98,19 @@ fn toned_softly(light: [f64; 3]) -> [f64; 3] {
     mixed(by_luminance, by_channel, colourful * colourful).map(|level| SOFT_WHITE * level)
 }
 
+/// The fitted curve of the Academy Color Encoding System.
+fn film_level(light: f64) -> f64 {
+    (light * (light + 0.024_578_6) - 0.000_090_537)
+        / (light * (0.983_729 * light + 0.432_951) + 0.238_081)
+}
+
 fn toned_as_film(light: [f64; 3]) -> [f64; 3] {
     let film = [
         dot(light, [0.59719, 0.35458, 0.04823]),
         dot(light, [0.07600, 0.90834, 0.01566]),
         dot(light, [0.02840, 0.13383, 0.83777]),
     ];
-    let shown = film.map(|x| {
-        (x * (x + 0.024_578_6) - 0.000_090_537) / (x * (0.983_729 * x + 0.432_951) + 0.238_081)
-    });
+    let shown = film.map(film_level);
     [
         dot(shown, [1.60475, -0.53108, -0.07367]),
         dot(shown, [-0.10208, 1.10813, -0.00605]),

@@ -84,7 +84,7 @@ impl Look {
 }
 
 /// sRGB's level of a linear one (IEC 61966-2-1, equations 5 and 6), going on below 0 as a line.
-fn srgb(linear: f64) -> f64 {
+pub(crate) fn srgb(linear: f64) -> f64 {
     if linear <= 0.003_130_8 {
         12.92 * linear
     } else {

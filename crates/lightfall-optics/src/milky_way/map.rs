@@ -2,7 +2,7 @@
 
 use super::asset::{self, NUMBERS};
 use super::photograph::photographed;
-use crate::cube_map::{FACES, face_column_row, halved, solid_angle};
+use crate::cube_map::{face_column_row, halved, layer_major, solid_angle};
 use crate::stars::{ZERO_MAGNITUDE_FLUX, flux, temperature_from_b_v};
 use half::f16;
 use std::array;
@@ -63,15 +63,9 @@ impl MilkyWay {
     /// level: what a texture of the format `Rgba16Float` takes in the order `LayerMajor`.
     pub fn half_floats(&self) -> Vec<[u16; 4]> {
         let mut halves = Vec::with_capacity(self.levels.iter().map(Vec::len).sum());
-        for face in 0..FACES {
-            for texels in &self.levels {
-                let of_face = texels.len() / FACES;
-                let of_this_face = &texels[face * of_face..(face + 1) * of_face];
-                halves.extend(of_this_face.iter().map(|[blue, red, nebular]| {
-                    [*blue, *red, *nebular, 0.0].map(|x| f16::from_f32(x).to_bits())
-                }));
-            }
-        }
+        halves.extend(layer_major(&self.levels).map(|[blue, red, nebular]| {
+            [*blue, *red, *nebular, 0.0].map(|x| f16::from_f32(x).to_bits())
+        }));
         halves
     }
 

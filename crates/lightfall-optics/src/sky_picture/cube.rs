@@ -34,12 +34,16 @@ pub(super) fn levels(mut picture: Panorama) -> (usize, Vec<Vec<[u16; 4]>>) {
         }
     });
     drop(picture);
-    let mut levels = vec![light.par_iter().copied().map(texel).collect::<Vec<_>>()];
+    let texels = |light: &[[f32; 3]]| -> Vec<[u16; 4]> {
+        let light = light.par_iter().copied();
+        light.map(texel).collect()
+    };
+    let mut levels = vec![texels(&light)];
     let mut size = side;
     while size > 1 {
         light = halved(&light, size);
         size /= 2;
-        levels.push(light.par_iter().copied().map(texel).collect());
+        levels.push(texels(&light));
     }
     (side, levels)
 }

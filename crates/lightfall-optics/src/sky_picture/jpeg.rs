@@ -1,8 +1,7 @@
 //! Pictures of the sky in JPEG.
 
 use super::error::SkyPictureFault;
-use super::panorama::{Panorama, check_size};
-use super::png_file::linear;
+use super::panorama::{Panorama, check_size, linear};
 use jpeg_decoder::{Decoder, PixelFormat};
 
 /// The picture of a JPEG, whose levels are those of sRGB.

@@ -20,7 +20,7 @@ mod read;
 
 pub use error::{SkyPictureError, SkyPictureFault};
 
-use crate::cube_map::{FACES, face_and_place, face_column_row, solid_angle};
+use crate::cube_map::{face_and_place, face_column_row, layer_major, solid_angle};
 use crate::stars::{galactic_from_celestial, hole_from_celestial};
 use colour::{NEUTRAL_TEMPERATURE, shifted};
 use glam::{DMat3, DVec3};
@@ -116,12 +116,7 @@ impl SkyPicture {
     /// All texels, face by face, and each face level by level: what a texture of the format
     /// `Rgba16Float` takes in the order `LayerMajor`.
     pub fn half_floats(&self) -> impl Iterator<Item = [u16; 4]> {
-        (0..FACES).flat_map(move |face| {
-            self.levels.iter().flat_map(move |texels| {
-                let of_face = texels.len() / FACES;
-                texels[face * of_face..(face + 1) * of_face].iter().copied()
-            })
-        })
+        layer_major(&self.levels).copied()
     }
 
     /// The light that comes from a direction on the picture's axes, seen with the frequency ratio

@@ -31,6 +31,15 @@ pub(super) fn check_size(width: u32, height: u32) -> Result<(), SkyPictureFault>
     Ok(())
 }
 
+/// The linear light of a level of sRGB (IEC 61966-2-1), both from 0 to 1.
+pub(super) fn linear(level: f32) -> f32 {
+    if level <= 0.040_45 {
+        level / 12.92
+    } else {
+        ((level + 0.055) / 1.055).powf(2.4)
+    }
+}
+
 impl Panorama {
     /// A picture of this size, which [`check_size`] has accepted.
     ///

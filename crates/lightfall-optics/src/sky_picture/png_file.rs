@@ -1,7 +1,7 @@
 //! Pictures of the sky in PNG.
 
 use super::error::SkyPictureFault;
-use super::panorama::{Panorama, check_size};
+use super::panorama::{Panorama, check_size, linear};
 use png::{BitDepth, ColorType, Decoder, Transformations};
 use std::io::Cursor;
 
@@ -41,13 +41,4 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<Panorama, SkyPictureFault> {
     });
     let light = light.collect();
     Panorama::new([width, height], light)
-}
-
-/// The linear light of a level of sRGB (IEC 61966-2-1), both from 0 to 1.
-pub(super) fn linear(level: f32) -> f32 {
-    if level <= 0.040_45 {
-        level / 12.92
-    } else {
-        ((level + 0.055) / 1.055).powf(2.4)
-    }
 }

@@ -1,4 +1,4 @@
-//! SHA-256 of files and texts, as `sha256sum` prints it.
+//! SHA-256 of files, bytes and texts, as `sha256sum` prints it.
 
 use sha2::{Digest, Sha256};
 use std::fs::File;
@@ -28,7 +28,12 @@ pub fn hash_of_file(path: &Path) -> io::Result<(String, u64)> {
 /// The hash of a text in UTF-8.
 #[must_use]
 pub fn hash_of_text(text: &str) -> String {
-    in_hexadecimal(&Sha256::digest(text.as_bytes()))
+    hash_of_bytes(text.as_bytes())
+}
+
+/// The hash of bytes.
+pub(super) fn hash_of_bytes(bytes: &[u8]) -> String {
+    in_hexadecimal(&Sha256::digest(bytes))
 }
 
 fn in_hexadecimal(hash: &[u8]) -> String {

@@ -6,7 +6,6 @@ mod embedded_preset;
 mod file_name;
 mod files;
 mod folders;
-#[cfg(not(target_arch = "wasm32"))]
 mod hash;
 mod opened;
 mod panorama;
@@ -33,7 +32,6 @@ pub use folders::{
     lesson_results_file, lessons_folder, mission_results_file, missions_folder, preset_files,
     presets_folder, settings_file,
 };
-#[cfg(not(target_arch = "wasm32"))]
 pub use hash::{hash_of_file, hash_of_text};
 pub use opened::{
     Opened, open_by_name, open_contents, open_file, own_missions, own_presets, read_scene,

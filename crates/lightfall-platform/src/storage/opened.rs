@@ -127,8 +127,9 @@ pub fn open_contents(
     ))))
 }
 
-/// The scene with the path of its picture of the sky from where the program runs, if the preset names
-/// a file beside itself. A path of the command line, and one of no such file, stays as it is.
+/// The scene with a path of its picture of the sky that holds where the program runs, if the preset names a
+/// file in its own folder. A path that the command line gives, and one of a file that is not in that folder,
+/// stay as they are.
 fn with_sky_beside(preset: &Path, mut scene: Scene, overrides: &[Override]) -> Scene {
     let named = Path::new(&scene.sky.picture);
     let is_of_preset = !overrides.iter().any(|set| set.key == SKY_PICTURE);
@@ -136,26 +137,31 @@ fn with_sky_beside(preset: &Path, mut scene: Scene, overrides: &[Override]) -> S
     let beside = beside.filter(|beside| {
         is_of_preset && !scene.sky.picture.is_empty() && named.is_relative() && exists(beside)
     });
-    if let Some(path) = beside.as_deref().and_then(Path::to_str)
-        && path.chars().count() <= MAX_TEXT_CHARS
-    {
-        scene.sky.picture = path.into();
+    if let Some(path) = beside {
+        set_sky_path(&mut scene, &path);
     }
     scene
 }
 
-/// The scene for a preset file in another folder: the path of its picture of the sky is that from the
-/// root, where a field can hold it.
+/// The scene with the absolute path of its picture of the sky, for a preset file in another folder. The path
+/// stays as it is where the field cannot hold the absolute one.
 #[must_use]
 pub fn with_whole_sky_path(mut scene: Scene) -> Scene {
     if !scene.sky.picture.is_empty()
         && let Ok(path) = std::path::absolute(&scene.sky.picture)
-        && let Some(path) = path.to_str()
+    {
+        set_sky_path(&mut scene, &path);
+    }
+    scene
+}
+
+/// Names another file as the picture of the sky, if the field can hold its path.
+fn set_sky_path(scene: &mut Scene, path: &Path) {
+    if let Some(path) = path.to_str()
         && path.chars().count() <= MAX_TEXT_CHARS
     {
         scene.sky.picture = path.into();
     }
-    scene
 }
 
 /// A mission that can be begun: there is a ship at its start, and its scene can be drawn.

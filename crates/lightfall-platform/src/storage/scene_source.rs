@@ -4,6 +4,7 @@
 use super::embedded_preset::{embedded_preset, is_picture};
 use super::files::{TextError, exists, read, text_of};
 use super::folders::lessons_folder;
+use super::hash::hash_of_bytes;
 use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::optics::ship::StartError;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError, StarFile};
@@ -11,7 +12,6 @@ use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{CameraPathError, Journey, JourneyError, Unflyable};
 use lightfall_core::scene::mission::MissionError;
 use lightfall_core::scene::{Scene, SceneError};
-use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -216,7 +216,7 @@ fn own_lesson(path: &Path) -> Option<PathBuf> {
 pub fn read_stars(path: &Path) -> Result<Catalogue, SourceError> {
     let fault = |fault| no_text(path, fault, "");
     let bytes = read(path, MAX_STAR_FILE_BYTES).map_err(|error| fault(error.into()))?;
-    let hash = Sha256::digest(&bytes);
+    let sha256 = hash_of_bytes(&bytes);
     let text = text_of(bytes, MAX_STAR_FILE_BYTES).map_err(fault)?;
     let mut catalogue = Catalogue::from_csv(&path.display().to_string(), &text)?;
     catalogue.file = Some(StarFile {
@@ -225,7 +225,7 @@ pub fn read_stars(path: &Path) -> Result<Catalogue, SourceError> {
             .unwrap_or_default()
             .to_string_lossy()
             .into(),
-        sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+        sha256,
     });
     Ok(catalogue)
 }

@@ -1,6 +1,6 @@
 //! A camera path as a table.
 
-use super::{COLUMNS, CameraPath, Station, pose};
+use super::{COLUMNS, CameraPath, Station, number, pose};
 use std::io::{self, Write};
 
 impl CameraPath {
@@ -56,8 +56,8 @@ impl CameraPath {
     }
 }
 
-/// Numbers with commas between them. Adding zero removes the sign of a negative zero.
+/// Numbers with commas between them.
 fn listed(numbers: &[f64]) -> String {
-    let texts: Vec<String> = numbers.iter().map(|x| (x + 0.0).to_string()).collect();
+    let texts: Vec<String> = numbers.iter().map(|x| number(*x)).collect();
     texts.join(",")
 }

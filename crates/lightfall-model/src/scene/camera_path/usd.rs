@@ -4,7 +4,7 @@
 //! vectors, so its first three rows are the camera's axes right, up and back, and the fourth one is its
 //! place.
 
-use super::{CameraPath, Station, pose, shift};
+use super::{CameraPath, Station, number, pose, shift};
 use glam::{DVec2, DVec3};
 use std::io::{self, Write};
 
@@ -108,10 +108,4 @@ def Xform \"World\"
         }
         writeln!(out, "        }}")
     }
-}
-
-/// A number with the digits from which it can be read back exactly. Adding zero removes the sign of a
-/// negative zero.
-fn number(x: f64) -> String {
-    (x + 0.0).to_string()
 }

@@ -27,8 +27,8 @@ impl CameraRows {
         self.rows[row].1
     }
 
-    /// Takes the tilt of the picture out of where the camera looks, where the path has it in there: what
-    /// draws the picture adds it again.
+    /// Takes the tilt of the picture out of the direction in which the camera looks, if the path includes it:
+    /// drawing adds the tilt again.
     pub(super) fn finish(&self, camera: &mut Camera) {
         let tilt_deg = camera.tilt_deg;
         if self.by_quaternion && tilt_deg != 0.0 {
@@ -40,8 +40,8 @@ impl CameraRows {
     }
 }
 
-/// The journey along these rows, of which there are at least two. Its beginning is the time 0, whenever the
-/// first row is, so that the rows of frames are those of the frames of the same numbers.
+/// The journey along these rows, of which there are at least two. It begins at the time 0 even if the first
+/// row is later, so that a row with the number of a frame is the camera of this frame.
 pub(super) fn journey_along(rows: &[Row], by_quaternion: bool) -> Journey {
     let points = |value: &dyn Fn(&Row) -> Option<f64>| -> Vec<(f64, f64)> {
         let points = rows.iter().map(|row| Some((row.time, value(row)?)));
@@ -68,14 +68,7 @@ pub(super) fn journey_along(rows: &[Row], by_quaternion: bool) -> Journey {
         }
     }
     Journey {
-        title: String::new(),
-        teaches: String::new(),
-        ending: String::new(),
-        preset: None,
-        captions: Vec::new(),
-        stops: Vec::new(),
         duration: rows.last().map_or(0.0, |row| row.time),
-        keyframes: Vec::new(),
         tracks_in_rain: tracks.clone(),
         tracks,
         fields: FieldTracks::of_exposure(&points(&|row| row.exposure_ev)),
@@ -88,5 +81,6 @@ pub(super) fn journey_along(rows: &[Row], by_quaternion: bool) -> Journey {
             rates: Vec::new(),
             times: points(&|row| row.disk_time),
         },
+        ..Journey::empty()
     }
 }

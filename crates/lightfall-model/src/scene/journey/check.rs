@@ -77,17 +77,17 @@ impl Journey {
                 (1..moments).map(|i| start + (end - start) * f64::from(i) / f64::from(moments));
             for moment in inner.chain([end.next_down()]).filter(ahead) {
                 if let Some(reason) = refusal(moment) {
-                    let [number, next] = [index, index + 1];
                     let time = rounded(moment);
                     let place = match &self.path {
-                        Some(path) => {
-                            let [line, next] = [number, next].map(|row| path.line(row));
-                            format!("between lines {line} and {next} (time_s = {time})")
-                        }
+                        Some(path) => format!(
+                            "between lines {} and {} (time_s = {time})",
+                            path.line(index),
+                            path.line(index + 1)
+                        ),
                         None => format!(
                             "between keyframes {} and {} (time = {time})",
-                            number + 1,
-                            next + 1
+                            index + 1,
+                            index + 2
                         ),
                     };
                     return Err(Unflyable { place, reason });

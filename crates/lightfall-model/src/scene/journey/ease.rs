@@ -1,7 +1,7 @@
 //! How quantities go from one keyframe to the next.
 
 crate::words! {
-    /// How what a keyframe names goes on to the next keyframe that names it.
+    /// How a quantity changes from a keyframe that names it to the next one that does.
     pub enum Ease {
         /// Through the keyframes without a jump of the speed, and at rest at both ends of the journey.
         Smooth = "smooth",

@@ -2,7 +2,8 @@
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, MAX_STOPS, NAMES};
 use crate::scene::error::SceneFault;
-use crate::scene::key_line::line_of;
+use crate::scene::key_line::{Place, line_of};
+use crate::scene::located::Located;
 use crate::scene::nearest_name;
 use crate::scene::presets::numbered_names;
 use crate::scene::toml_fault::one_table;
@@ -15,24 +16,15 @@ pub struct JourneyError {
     /// The journey's file.
     origin: String,
     /// What is wrong with keyframes, captions and stops, in this order: at least one fault.
-    faults: Vec<LocatedFault>,
-}
-
-/// A fault, and the line in which it is, from 1.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct LocatedFault {
-    line: Option<usize>,
-    fault: Fault,
+    faults: Vec<Located<Fault>>,
 }
 
 impl JourneyError {
     /// The error of a text with these faults.
     pub(super) fn new(origin: &str, text: &str, faults: Vec<Fault>) -> Self {
         let located = |fault: Fault| {
-            let line = fault
-                .place()
-                .and_then(|(table, key)| line_of(text, table, key));
-            LocatedFault { line, fault }
+            let line = fault.place().and_then(|place| line_of(text, place));
+            Located { line, what: fault }
         };
         Self {
             origin: origin.into(),
@@ -50,7 +42,7 @@ impl JourneyError {
 
     /// One sentence for each fault.
     pub fn sentences(&self) -> Vec<String> {
-        let said = |located: &LocatedFault| format!("{}: {located}", self.origin);
+        let said = |located: &Located<Fault>| format!("{}: {located}", self.origin);
         self.faults.iter().map(said).collect()
     }
 }
@@ -62,15 +54,6 @@ impl fmt::Display for JourneyError {
         match self.faults.first() {
             Some(first) => write!(f, "{}: {first}", self.origin),
             None => write!(f, "{}: is no journey", self.origin),
-        }
-    }
-}
-
-impl fmt::Display for LocatedFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "line {line}: {}", self.fault),
-            None => write!(f, "{}", self.fault),
         }
     }
 }
@@ -183,9 +166,6 @@ pub enum Fault {
     },
 }
 
-/// The key of a text that a fault is about, after the name and the number of the table that should have it.
-type Place<'a> = (Option<(&'static str, usize)>, &'a str);
-
 impl Fault {
     /// Where the fault is. None for one of the whole text.
     fn place(&self) -> Option<Place<'_>> {
@@ -231,11 +211,10 @@ fn keyframe_keys() -> Vec<&'static str> {
     own.chain(NAMES.map(|(name, _)| name)).collect()
 }
 
-/// The part of a sentence that says which key was probably meant by an unknown one. Empty if none was.
-fn meant(key: &str, known: &[&str]) -> String {
-    let is_known = known.contains(&key);
-    let known: Vec<String> = known.iter().map(|known| (*known).to_owned()).collect();
-    match nearest_name(key, &known).filter(|_| !is_known) {
+/// The part of a sentence that says which name was probably meant by an unknown one. Empty if none was.
+pub(super) fn meant(name: &str, known: &[&str]) -> String {
+    let is_known = known.contains(&name);
+    match nearest_name(name, known).filter(|_| !is_known) {
         Some(meant) => format!("did you mean {meant}?; "),
         None => String::new(),
     }

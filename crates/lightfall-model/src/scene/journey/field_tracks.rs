@@ -7,15 +7,15 @@ use super::track::Track;
 use crate::scene::{Scene, Value};
 use std::collections::BTreeMap;
 
-/// What a metered picture decides by itself.
+/// The exposure, which the light meter chooses unless it is switched off.
 const EXPOSURE: &str = "picture.exposure_ev";
 const AUTOMATIC_EXPOSURE: &str = "picture.automatic_exposure";
 
-/// The ways of fields through the keyframes that set them, by the fields' keys.
+/// The courses of fields through the keyframes that set them, by the fields' keys.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct FieldTracks(BTreeMap<&'static str, FieldTrack>);
 
-/// The way of one field.
+/// The course of one field.
 #[derive(Clone, Debug, PartialEq)]
 enum FieldTrack {
     /// A number.
@@ -28,7 +28,7 @@ enum FieldTrack {
 }
 
 impl FieldTracks {
-    /// The ways through keyframes, each with its time in seconds after the beginning.
+    /// The courses through keyframes, each with its time in seconds after the beginning.
     pub(super) fn through(keyframes: &[(f64, Ease, &Values)]) -> Self {
         let mut points: BTreeMap<&'static str, Vec<(f64, Ease, &Value)>> = BTreeMap::new();
         for (time, ease, values) in keyframes {
@@ -44,7 +44,7 @@ impl FieldTracks {
         )
     }
 
-    /// The way of the exposure of a camera path, through points in time.
+    /// The course of the exposure along a camera path, through points in time.
     pub(super) fn of_exposure(points: &[(f64, f64)]) -> Self {
         let track = Track::along(points).map(FieldTrack::Number);
         Self(track.into_iter().map(|track| (EXPOSURE, track)).collect())

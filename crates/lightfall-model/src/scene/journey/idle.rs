@@ -5,8 +5,7 @@ use crate::scene::{Idle, Output, Scene};
 
 impl Journey {
     /// What the keyframes name and what changes nothing at any of them, by its name in a keyframe,
-    /// with the reason.
-    /// A camera path has columns because its format has them: none of them is told.
+    /// with the reason. Nothing for a camera path, whose program writes all columns of the format.
     pub fn idle_values(&self, scene: &Scene) -> Vec<(&'static str, Idle)> {
         if self.path.is_some() {
             return Vec::new();

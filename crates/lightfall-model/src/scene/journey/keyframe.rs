@@ -20,7 +20,7 @@ pub(super) type Values = BTreeMap<&'static str, Value>;
 pub(super) struct Keyframe {
     /// When it is, in seconds.
     pub(super) time: f64,
-    /// How what it names goes on to the next keyframe that names it.
+    /// How each quantity that it names changes until the next keyframe that names it.
     pub(super) ease: Ease,
     /// What it names.
     pub(super) values: Values,
@@ -118,22 +118,14 @@ fn checked(number: usize, frame: &Table) -> Result<Values, Fault> {
             return Err(Fault::UnknownKey { number, key });
         };
         let field = field_like(like);
-        let refused = |given| Fault::Value {
+        let read = field.read_in_range(value);
+        let value = read.map_err(|refusal| Fault::Value {
             table: TABLE,
             number,
             key: name,
-            given: Some(given),
-            allowed: field.allowed(),
-        };
-        let value = field
-            .read(value)
-            .map_err(|refusal| refused(refusal.given))?;
-        if value
-            .number()
-            .is_some_and(|number| !field.kind.range().contains(number))
-        {
-            return Err(refused(value.quoted()));
-        }
+            given: Some(refusal.given),
+            allowed: refusal.allowed,
+        })?;
         values.insert(name, value);
     }
     Ok(values)

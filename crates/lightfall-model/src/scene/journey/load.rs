@@ -8,7 +8,7 @@ use super::field_tracks::FieldTracks;
 use super::format::MAX_KEYFRAMES;
 use super::keyframe::{Keyframe, TABLE, Values};
 use super::read_stop::{read_stops, set_elsewhere};
-use super::tracks::{Tracks, component};
+use super::tracks::{Tracks, component, may_reach_light};
 use crate::scene::ObserverKind;
 use crate::scene::fields::field;
 use crate::scene::from_toml::{float, given, table};
@@ -159,23 +159,17 @@ fn flown(keyframes: Vec<Keyframe>, [values, in_rain]: [Vec<Values>; 2]) -> Journ
         .map(|frame| (frame.time - start, frame.ease, &frame.set));
     let fields = FieldTracks::through(&set.collect::<Vec<_>>());
     Journey {
-        title: String::new(),
-        teaches: String::new(),
-        ending: String::new(),
-        preset: None,
-        captions: Vec::new(),
-        stops: Vec::new(),
         duration: end - start,
         tracks: tracks(&values),
         tracks_in_rain: tracks(&in_rain),
         fields,
-        path: None,
         kinds: keyframes.iter().filter_map(kind).collect(),
         clock: Clock {
             rates: numbers("disk_rate"),
             times: numbers("disk_time"),
         },
         keyframes,
+        ..Journey::empty()
     }
 }
 
@@ -228,16 +222,15 @@ fn read_keyframes(frames: Vec<Table>) -> Result<Vec<Keyframe>, Vec<Fault>> {
     without(faults, keyframes)
 }
 
-/// Checks that the velocity stays below that of light between keyframes, too: each component stays
-/// between those of two keyframes, so all three at their largest must be slower than light.
+/// Checks that the velocity stays below that of light between keyframes, too.
 fn check_velocities<'a>(keyframes: impl Iterator<Item = &'a Values> + Clone) -> Result<(), Fault> {
     let named = keyframes
         .enumerate()
         .filter_map(|(i, values)| Some((i + 1, values.get("velocity")?)));
     for ((_, start), (number, end)) in named.clone().zip(named.skip(1)) {
-        let size = |velocity, axis| component(velocity, axis).unwrap_or_default().abs();
-        let largest = |axis| f64::max(size(start, axis), size(end, axis));
-        if (0..3).map(|axis| largest(axis).powi(2)).sum::<f64>() >= 1.0 {
+        let [from, to] = [start, end]
+            .map(|velocity| [0, 1, 2].map(|axis| component(velocity, axis).unwrap_or_default()));
+        if may_reach_light(from, to) {
             let before = start.quoted();
             return Err(Fault::Value {
                 table: TABLE,

@@ -2,12 +2,12 @@
 
 use super::Journey;
 use super::camera_rows::journey_along;
+use super::error::meant;
 use super::row::Row;
 use crate::numbers::counted;
 use crate::scene::camera_path::COLUMNS;
-use crate::scene::nearest_name;
+use crate::scene::located::Located;
 use crate::scene::value::quoted;
-use std::fmt;
 use thiserror::Error;
 
 /// Maximum number of rows of a camera path, that of the frames of one run.
@@ -23,28 +23,11 @@ const GROUPS: [&[&str]; 5] = [
 ];
 
 /// Why a text is no camera path, in one sentence with the file and the line.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{origin}: {fault}")]
 pub struct CameraPathError {
     origin: String,
-    /// From 1; none for a fault of the whole text.
-    line: Option<usize>,
-    fault: PathFault,
-}
-
-impl std::error::Error for CameraPathError {}
-
-impl fmt::Display for CameraPathError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            origin,
-            line,
-            fault,
-        } = self;
-        match line {
-            Some(line) => write!(f, "{origin}: line {line}: {fault}"),
-            None => write!(f, "{origin}: {fault}"),
-        }
-    }
+    fault: Located<PathFault>,
 }
 
 /// What is wrong with a camera path.
@@ -99,8 +82,7 @@ pub(super) enum PathFault {
 pub fn load_camera_path(origin: &str, text: &str, fps: f64) -> Result<Journey, CameraPathError> {
     let error = |line: Option<usize>, fault: PathFault| CameraPathError {
         origin: origin.into(),
-        line,
-        fault,
+        fault: Located { line, what: fault },
     };
     let text = text.trim_start_matches('\u{feff}');
     let lines = text.lines().enumerate();
@@ -139,12 +121,9 @@ impl Header {
         let mut columns = Vec::new();
         for name in split(line) {
             let Some(column) = COLUMNS.into_iter().find(|column| *column == name) else {
-                let known = COLUMNS.map(str::to_owned);
-                let meant =
-                    nearest_name(name, &known).map(|meant| format!("did you mean {meant}?; "));
                 return Err(PathFault::UnknownColumn {
                     given: quoted(name),
-                    meant: meant.unwrap_or_default(),
+                    meant: meant(name, &COLUMNS),
                 });
             };
             if columns.contains(&column) {

@@ -33,7 +33,7 @@ pub(super) fn read_question(number: usize, value: toml::Value) -> Result<Questio
     faults.extend(table.keys().map(|key| Fault::StopKey {
         number,
         key: format!("question.{}", shortened(key)),
-        hint: match nearest_name(key, &KEYS.map(str::to_owned)) {
+        hint: match nearest_name(key, &KEYS) {
             Some(meant) => format!("did you mean question.{meant}?"),
             None => format!("a question is {ALLOWED}"),
         },

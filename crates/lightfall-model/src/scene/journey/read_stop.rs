@@ -6,8 +6,8 @@ use super::load::{all_noted, noted, without};
 use super::read_question::read_question;
 use super::stop::{InspectorView, SideBySide, Stop, is_switched};
 use crate::scene::fields::field;
-use crate::scene::from_toml::{float, given};
-use crate::scene::hint::{hint, is_table, nearest_name};
+use crate::scene::from_toml::{flattened, float, given};
+use crate::scene::hint::{hint, nearest_name};
 use crate::scene::value::{Value, shortened};
 use toml::Table;
 
@@ -140,53 +140,40 @@ fn read_caption(number: usize, value: Option<toml::Value>) -> Result<String, Fau
 /// Fields of the scene: single ones such as `view`, and those in a table such as `effects.doppler`.
 fn read_fields(number: usize, table: Table) -> Result<Vec<(&'static str, Value)>, Vec<Fault>> {
     let (mut fields, mut faults) = (Vec::new(), Vec::new());
-    for (key, value) in table {
-        match value {
-            toml::Value::Table(inner) if is_table(&key) => {
-                for (name, value) in inner {
-                    let field = read_field(number, format!("{key}.{name}"), &value);
-                    fields.extend(noted(field, &mut faults));
-                }
-            }
-            value => fields.extend(noted(read_field(number, key, &value), &mut faults)),
-        }
+    for (key, value) in flattened(table) {
+        fields.extend(noted(read_field(number, &key, &value), &mut faults));
     }
     without(faults, fields)
 }
 
 fn read_field(
     number: usize,
-    key: String,
+    key: &str,
     value: &toml::Value,
 ) -> Result<(&'static str, Value), Fault> {
     let unknown = |hint: String| Fault::StopKey {
         number,
-        key: shortened(&key),
+        key: shortened(key),
         hint,
     };
     // A quoted key with a dot in it is no field.
-    let found = field(&key).filter(|_| key.matches('.').count() <= 1);
-    let field = found.ok_or_else(|| unknown(hint_of_stop(&key)))?;
+    let found = field(key).filter(|_| key.matches('.').count() <= 1);
+    let field = found.ok_or_else(|| unknown(hint_of_stop(key)))?;
     if !is_switched(field) {
         let hint = "no stop switches it; keyframes lead the camera, the observer and the disk's \
             tilt and clock"
             .into();
         return Err(unknown(hint));
     }
-    let refused = |given| Fault::Value {
+    let read = field.read_in_range(value);
+    let value = read.map_err(|refusal| Fault::Value {
         table: TABLE,
         number,
         key: field.key,
-        given: Some(given),
-        allowed: field.allowed(),
-    };
-    let value = field
-        .read(value)
-        .map_err(|refusal| refused(refusal.given))?;
-    match value.number() {
-        Some(number) if !field.kind.range().contains(number) => Err(refused(value.quoted())),
-        _ => Ok((field.key, value)),
-    }
+        given: Some(refusal.given),
+        allowed: refusal.allowed,
+    })?;
+    Ok((field.key, value))
 }
 
 /// The fault of the first stop that switches a field that keyframes set: a field has one leader.
@@ -213,7 +200,7 @@ fn hint_of_stop(key: &str) -> String {
         "inspector",
         "question",
     ];
-    match nearest_name(key, &OWN.map(str::to_owned)) {
+    match nearest_name(key, &OWN) {
         // Keyframes and captions have a time, and a field of scenes has that name, too.
         _ if key == "time" => "did you mean at?".into(),
         Some(own) => format!("did you mean {own}?"),

@@ -2,7 +2,8 @@
 
 use super::format::MAX_SECONDS;
 use super::read_path::{Header, PathFault};
-use crate::geometry::sphere::wrap_degrees;
+use super::tracks::may_reach_light;
+use crate::geometry::sphere::nearest_turn;
 use crate::scene::fields::field;
 use crate::scene::value::{Value, quoted, shortened};
 use crate::scene::{Camera, ObserverKind};
@@ -58,11 +59,14 @@ impl Row {
             ]
         } else if header.has("qw") {
             cells.turn(&mut camera)?;
-            let near = |axis: usize| {
-                let before = before.map(|row| row.angles[axis]);
-                nearest_turn(camera.angles()[axis], before)
-            };
-            [near(0), camera.pitch_deg, near(2)]
+            let [yaw, pitch, roll] = camera.angles();
+            match before.map(|row| row.angles) {
+                Some([last_yaw, _, last_roll]) => {
+                    let yaw = nearest_turn(yaw, last_yaw);
+                    [yaw, pitch, nearest_turn(roll, last_roll)]
+                }
+                None => [yaw, pitch, roll],
+            }
         } else {
             [0.0; 3]
         };
@@ -88,11 +92,6 @@ impl Row {
     }
 }
 
-/// An angle in degrees, with as many whole turns as bring it nearest to the one before.
-fn nearest_turn(angle: f64, before: Option<f64>) -> f64 {
-    before.map_or(angle, |before| before + wrap_degrees(angle - before))
-}
-
 /// The fields of one line, by their columns.
 struct Cells<'a> {
     header: &'a Header,
@@ -115,6 +114,19 @@ impl Cells<'_> {
                 Err(_) => quoted(text),
             },
             allowed: allowed.into(),
+        }
+    }
+
+    /// The fault of columns that belong together.
+    fn refused_together(&self, columns: &[&str], allowed: String) -> PathFault {
+        let given: Vec<String> = columns
+            .iter()
+            .map(|column| shortened(self.text(column)))
+            .collect();
+        PathFault::Value {
+            column: columns.join(","),
+            given: given.join(","),
+            allowed,
         }
     }
 
@@ -187,17 +199,14 @@ impl Cells<'_> {
             camera.phi_deg = self.number("phi_deg")?;
             return Ok(camera);
         }
-        let place = DVec3::new(self.number("x")?, self.number("y")?, self.number("z")?);
+        const COLUMNS: [&str; 3] = ["x", "y", "z"];
+        let [x, y, z] = COLUMNS.map(|column| self.number(column));
+        let place = DVec3::new(x?, y?, z?);
         let r = place.length();
         let range = field("camera.r").filter(|field| !field.kind.range().contains(r));
         if let Some(field) = range {
-            return Err(PathFault::Value {
-                column: "x,y,z".into(),
-                given: ["x", "y", "z"]
-                    .map(|column| shortened(self.text(column)))
-                    .join(","),
-                allowed: format!("a place whose r is {}", field.allowed()),
-            });
+            let allowed = format!("a place whose r is {}", field.allowed());
+            return Err(self.refused_together(&COLUMNS, allowed));
         }
         camera.r = r;
         camera.theta_deg = place.truncate().length().atan2(place.z).to_degrees();
@@ -206,7 +215,8 @@ impl Cells<'_> {
         camera.phi_deg = if place.x == 0.0 && place.y == 0.0 {
             before.unwrap_or_default()
         } else {
-            nearest_turn(place.y.atan2(place.x).to_degrees(), before)
+            let phi_deg = place.y.atan2(place.x).to_degrees();
+            before.map_or(phi_deg, |before| nearest_turn(phi_deg, before))
         };
         Ok(camera)
     }
@@ -214,15 +224,11 @@ impl Cells<'_> {
     /// Turns the camera as the row's quaternion says: that of a camera with x to the right and y up, which
     /// looks along -z.
     fn turn(&self, camera: &mut Camera) -> Result<(), PathFault> {
-        let [w, x, y, z] = ["qw", "qx", "qy", "qz"].map(|column| self.number(column));
+        const COLUMNS: [&str; 4] = ["qw", "qx", "qy", "qz"];
+        let [w, x, y, z] = COLUMNS.map(|column| self.number(column));
         let turn = DQuat::from_xyzw(x?, y?, z?, w?);
         if (turn.length() - 1.0).abs() > MAX_STRETCH {
-            let given = ["qw", "qx", "qy", "qz"].map(|column| shortened(self.text(column)));
-            return Err(PathFault::Value {
-                column: "qw,qx,qy,qz".into(),
-                given: given.join(","),
-                allowed: "a quaternion of length 1".into(),
-            });
+            return Err(self.refused_together(&COLUMNS, "a quaternion of length 1".into()));
         }
         let axes = DMat3::from_quat(turn.normalize());
         let world = DMat3::from_cols(axes.x_axis, axes.y_axis, -axes.z_axis);
@@ -240,25 +246,18 @@ impl Cells<'_> {
             .ok_or_else(|| self.refused("observer", allowed()))
     }
 
-    /// The velocity. On the way from the row before, too, it must be below that of light: each component
-    /// stays between those of the two rows.
+    /// The velocity. On the way from the row before, too, it must be below that of light.
     fn velocity(&self, before: Option<[f64; 3]>) -> Result<[f64; 3], PathFault> {
         const COLUMNS: [&str; 3] = ["vx", "vy", "vz"];
         let [x, y, z] = COLUMNS.map(|column| self.number(column));
         let velocity = [x?, y?, z?];
-        let refused = |allowed: String| PathFault::Value {
-            column: COLUMNS.join(","),
-            given: COLUMNS.map(|column| shortened(self.text(column))).join(","),
-            allowed,
-        };
+        let refused = |allowed: String| self.refused_together(&COLUMNS, allowed);
         if let Some(field) = field("observer.velocity")
             && field.check_kind(&Value::Velocity(velocity)).is_err()
         {
             return Err(refused(field.allowed()));
         }
-        let before = before.unwrap_or_default();
-        let largest = |axis: usize| velocity[axis].abs().max(before[axis].abs());
-        if (0..3).map(|axis| largest(axis).powi(2)).sum::<f64>() >= 1.0 {
+        if may_reach_light(before.unwrap_or_default(), velocity) {
             return Err(refused(
                 "nearer to that of the row before: on the way there it would reach 1 c".into(),
             ));

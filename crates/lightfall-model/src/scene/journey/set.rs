@@ -5,10 +5,9 @@ use super::format::NAMES;
 use super::keyframe::{TABLE, Values};
 use crate::scene::field::Field;
 use crate::scene::fields::field;
-use crate::scene::from_toml::given;
-use crate::scene::hint::{hint, is_table};
+use crate::scene::from_toml::{flattened, given};
+use crate::scene::hint::hint;
 use crate::scene::value::{Value, shortened};
-use toml::Table;
 
 /// Reads the table `set` of the keyframe of this number: fields as `"hole.spin" = 0.5`, in quotes or
 /// without.
@@ -37,21 +36,6 @@ pub(super) fn read_set(number: usize, value: Option<toml::Value>) -> Result<Valu
     Ok(values)
 }
 
-/// The entries of the table, each with its whole key.
-fn flattened(table: Table) -> Vec<(String, toml::Value)> {
-    let mut entries = Vec::new();
-    for (key, value) in table {
-        match value {
-            toml::Value::Table(inner) if is_table(&key) => {
-                let inner = inner.into_iter();
-                entries.extend(inner.map(|(name, value)| (format!("{key}.{name}"), value)));
-            }
-            value => entries.push((key, value)),
-        }
-    }
-    entries
-}
-
 fn read_field(
     number: usize,
     key: &str,
@@ -64,19 +48,14 @@ fn read_field(
     if let Some(why) = why_not_set(field) {
         return Err(refused(number, key, why));
     }
-    let out_of_range = |given| Fault::SetValue {
+    let read = field.read_in_range(value);
+    let value = read.map_err(|refusal| Fault::SetValue {
         number,
         key: format!("set.{}", field.key),
-        given,
-        allowed: field.allowed(),
-    };
-    let value = field
-        .read(value)
-        .map_err(|refusal| out_of_range(refusal.given))?;
-    match value.number() {
-        Some(number) if !field.kind.range().contains(number) => Err(out_of_range(value.quoted())),
-        _ => Ok((field.key, value)),
-    }
+        given: refusal.given,
+        allowed: refusal.allowed,
+    })?;
+    Ok((field.key, value))
 }
 
 fn refused(number: usize, key: &str, why: String) -> Fault {

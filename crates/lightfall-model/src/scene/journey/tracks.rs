@@ -79,7 +79,7 @@ const QUANTITIES: [Quantity; 12] = [
 ];
 
 /// The tracks of all quantities; none for a quantity that no keyframe names.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Tracks([Option<Track>; QUANTITIES.len()]);
 
 impl Tracks {
@@ -126,6 +126,13 @@ impl Tracks {
             }
         }
     }
+}
+
+/// Whether a velocity may reach that of light between two keyframes or rows that have these: each component
+/// stays between its two values, so all three at their largest must be slower than light.
+pub(super) fn may_reach_light(start: [f64; 3], end: [f64; 3]) -> bool {
+    let largest = |axis: usize| start[axis].abs().max(end[axis].abs());
+    (0..3).map(|axis| largest(axis).powi(2)).sum::<f64>() >= 1.0
 }
 
 /// A component of a velocity, or a number.

@@ -119,9 +119,8 @@ impl TryFrom<String> for Condition {
         let (name, value) = text.split_once(sign).ok_or_else(form)?;
         let name = name.trim();
         let quantity = Quantity::from_word(name).ok_or_else(|| {
-            let words = Quantity::WORDS.map(str::to_owned);
-            let known = words.join(", ");
-            match nearest_name(name, &words) {
+            let known = Quantity::WORDS.join(", ");
+            match nearest_name(name, &Quantity::WORDS) {
                 Some(meant) => {
                     format!("{text:?} names no quantity of a flight; did you mean {meant}?")
                 }

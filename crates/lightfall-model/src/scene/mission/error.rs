@@ -1,47 +1,31 @@
 //! What can be wrong with the text of a mission, each in one sentence.
 
 use crate::scene::error::{SceneError, SceneFault};
-use crate::scene::key_line::line_of;
+use crate::scene::key_line::{Place, line_of};
+use crate::scene::located::Located;
 use crate::scene::presets::numbered_names;
-use std::fmt;
 use thiserror::Error;
 
 /// Why a text is not a mission.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{origin}: {fault}")]
 pub struct MissionError {
     /// The mission's file.
-    pub origin: String,
-    /// The line, from 1, of what is wrong, if it is a field or a table.
-    line: Option<usize>,
-    /// What is wrong.
-    pub fault: Box<Fault>,
+    origin: String,
+    /// What is wrong, with its line if it is a field or a table.
+    fault: Located<Box<Fault>>,
 }
 
 impl MissionError {
     /// The error of a text with this fault.
     pub(super) fn new(origin: &str, text: &str, fault: Fault) -> Self {
-        let place = fault.place();
-        let line = place.and_then(|(table, key)| line_of(text, table, key));
+        let line = fault.place().and_then(|place| line_of(text, place));
         Self {
             origin: origin.into(),
-            line,
-            fault: Box::new(fault),
-        }
-    }
-}
-
-impl std::error::Error for MissionError {}
-
-impl fmt::Display for MissionError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            origin,
-            line,
-            fault,
-        } = self;
-        match line {
-            Some(line) => write!(f, "{origin}: line {line}: {fault}"),
-            None => write!(f, "{origin}: {fault}"),
+            fault: Located {
+                line,
+                what: Box::new(fault),
+            },
         }
     }
 }
@@ -95,9 +79,6 @@ pub enum Fault {
         needed: &'static str,
     },
 }
-
-/// The key of a text that a fault is about, after the name and the number of the table that should have it.
-type Place<'a> = (Option<(&'a str, usize)>, &'a str);
 
 impl Fault {
     /// Where the fault is. None for one of the whole text.

@@ -1,13 +1,10 @@
 //! How much of the sky a camera's picture shows, and how to show more or less of it.
 
 use super::Projection;
-use crate::scene::tables::MAX_FIELD_OF_VIEW_DEG;
+use crate::scene::tables::{MAX_FIELD_OF_VIEW_DEG, MAX_FISHEYE_DEG};
 use crate::scene::{Camera, Scene};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// The largest field of a fisheye picture, in degrees.
-const MAX_FISHEYE_DEG: f64 = 360.0;
 
 impl Camera {
     /// The angles from the line of sight to the right and to the upper edge of a picture in whose

@@ -1,6 +1,6 @@
 //! The heads of tables, `[camera]` and `[[stop]]`.
 
-use super::{TomlFault, line_number, shown};
+use super::{Located, TomlFault, line_number, shown};
 
 /// The tables of which a journey or a mission has several.
 const LISTS: [&str; 9] = [
@@ -50,10 +50,10 @@ pub(super) fn told(
         let single = format!("[{name}]");
         let is_single = |line: &str| line.trim_start().starts_with(&single);
         let first = text.lines().position(is_single);
-        return Some(TomlFault {
+        return Some(TomlFault(Located {
             line: Some(first.map_or_else(|| line_number(text, at), |before| before + 1)),
-            said: one_table(name),
-        });
+            what: one_table(name),
+        }));
     }
     if is_given_twice {
         let head = shown(line);

@@ -2,7 +2,7 @@
 
 use super::head::{name_in_head, one_table, several_tables};
 use super::tokens::Tokens;
-use super::{TomlFault, first_line, shown};
+use super::{Located, TomlFault, first_line, shown};
 use crate::scene::nearest_name;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
@@ -17,10 +17,10 @@ pub(super) fn told(text: &str, document: &DeTable<'_>, error: &Error) -> TomlFau
         let field = in_backticks(rest).next().unwrap_or(rest);
         return match name {
             Some(table) => TomlFault::at(text, at, format!("{table} has no field `{field}`")),
-            None => TomlFault {
+            None => TomlFault(Located {
                 line: None,
-                said: format!("the field `{field}` is missing"),
-            },
+                what: format!("the field `{field}` is missing"),
+            }),
         };
     }
     TomlFault::at(text, at, said(text, &span, name, message))
@@ -77,7 +77,7 @@ fn said(text: &str, span: &Range<usize>, name: Option<String>, message: &str) ->
 fn unknown_field(rest: &str) -> String {
     let mut names = in_backticks(rest);
     let given = names.next().unwrap_or_default();
-    let known: Vec<String> = names.map(str::to_owned).collect();
+    let known: Vec<&str> = names.collect();
     match nearest_name(given, &known) {
         Some(meant) => format!("unknown field `{given}`; did you mean `{meant}`?"),
         None => format!(
@@ -92,7 +92,7 @@ fn unknown_field(rest: &str) -> String {
 fn one_of(rest: &str) -> String {
     let mut words = in_backticks(rest);
     let given = words.next().unwrap_or_default();
-    let known: Vec<String> = words.map(str::to_owned).collect();
+    let known: Vec<&str> = words.collect();
     let hint = nearest_name(given, &known).map(|meant| format!("; did you mean {meant}?"));
     format!("one of {}{}", known.join(", "), hint.unwrap_or_default())
 }

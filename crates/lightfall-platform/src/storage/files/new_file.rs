@@ -26,13 +26,13 @@ impl Drop for Unfinished {
 }
 
 /// Removes every file that is not finished, and keeps further ones from being begun, for a program that
-/// ends at once. The system has the reason why one cannot be removed, which nobody would read any more.
+/// ends at once. A file that cannot be removed is left without a message, because the program is ending.
 pub fn remove_unfinished() {
     let files = unfinished();
     for file in files.iter() {
         fs::remove_file(file).ok();
     }
-    // Whoever begins or finishes a file from here on waits for the program's end.
+    // The lock is kept, so a thread that begins or finishes a file from here on waits until the program ends.
     std::mem::forget(files);
 }
 
@@ -42,7 +42,7 @@ pub fn remove_unfinished() {
 pub struct NewFile {
     path: PathBuf,
     file: NamedTempFile,
-    // Dropped after the file, which is gone by then.
+    // Dropped after `file`, so that the temporary file is gone by then.
     unfinished: Unfinished,
 }
 
