@@ -1,17 +1,17 @@
 // The view `colour` in layers: of a ray's light what comes from the layers that are drawn, with their share
 // of the ray in alpha. view/colour.wgsl adds up the light of all of them in the same way.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // As in view/colour.wgsl.
 const MIN_COVER: f32 = 0.5;
 const MIN_VISIBLE: f32 = 0.02;
 
 struct Seen {
-    // The light of all layers, whichever are drawn: all of them are to be refined in the same pixels.
-    light: vec3<f32>,
-    // That of the layers that are drawn, and their share of the ray.
-    drawn: vec4<f32>,
+    // The light of the layers that are drawn, and their share of the ray.
+    light: vec4<f32>,
+    // The light of all layers.
+    compared: vec3<f32>,
     // The visible outcome and hits.
     outcome: u32,
     hit_count: u32,
@@ -53,13 +53,18 @@ fn seen_along(photon: Photon) -> Seen {
         light += arriving;
         drawn += light_of_layer(LAYER_SKY, arriving, transmission);
     } else {
-        // What nobody follows behind the last crossing of the disk belongs to the disk.
+        // The rest of a ray that ends at a crossing of the disk belongs to this crossing.
         drawn += light_of_layer(select(layer, LAYER_HOLE, ends_dark), vec3<f32>(0.0), transmission);
     }
     let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
-    return Seen(light, drawn, outcome, hit_count);
+    return Seen(drawn, light, outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.compared;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {
-    return seen_along(photon).drawn;
+    return seen_along(photon).light;
 }

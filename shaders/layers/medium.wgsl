@@ -2,12 +2,12 @@
 // layers that are drawn, with their share of the ray in alpha. medium/colour.wgsl adds up the light of all
 // of them in the same way.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // As in layers/colour.wgsl.
 struct Seen {
-    light: vec3<f32>,
-    drawn: vec4<f32>,
+    light: vec4<f32>,
+    compared: vec3<f32>,
     outcome: u32,
     hit_count: u32,
 }
@@ -40,9 +40,14 @@ fn seen_along(photon: Photon) -> Seen {
     }
     let hit_count = select(0u, 1u, seen.transmission < 0.5);
     let outcome = select(OUTCOME_HIDDEN, seen.ray.outcome, seen.transmission > MIN_VISIBLE);
-    return Seen(light, drawn, outcome, hit_count);
+    return Seen(drawn, light, outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.compared;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {
-    return seen_along(photon).drawn;
+    return seen_along(photon).light;
 }

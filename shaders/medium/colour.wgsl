@@ -1,6 +1,6 @@
 // The view `colour` of a scene with matter with depth: its light, and the sky's behind it.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // The light along a ray, and its visible outcome and hits, by which the search for edges compares
 // neighbouring pixels.
@@ -31,6 +31,11 @@ fn seen_along(photon: Photon) -> Seen {
     }
     let ends_dark = seen.ray.outcome == OUTCOME_CAPTURED || seen.ray.outcome == OUTCOME_UNFINISHED;
     return Seen(vec4<f32>(light, select(1.0, 1.0 - seen.transmission, ends_dark)), outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.light.rgb;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {

@@ -1,6 +1,6 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // A crossing counts for the class where the disk's coverage is larger: a fade is one edge, not two.
 const MIN_COVER: f32 = 0.5;
@@ -54,6 +54,11 @@ fn seen_along(photon: Photon) -> Seen {
     }
     let ends_dark = ray.outcome == OUTCOME_CAPTURED || ray.outcome == OUTCOME_UNFINISHED;
     return Seen(vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark)), outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.light.rgb;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {

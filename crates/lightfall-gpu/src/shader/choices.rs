@@ -40,7 +40,6 @@ impl Variant {
         match self.entry {
             Entry::Timed => "timed.wgsl",
             Entry::TimedLight => "timed_light.wgsl",
-            _ if self.antialias && self.layers => "layers/geodesic.wgsl",
             _ if self.antialias => "antialias/geodesic.wgsl",
             _ => "geodesic.wgsl",
         }
