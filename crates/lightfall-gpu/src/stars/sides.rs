@@ -9,7 +9,10 @@ use glam::{DMat3, DVec3};
 use lightfall_model::scene::{CubeLayout, Projection, Scene};
 
 /// The widest circle, in degrees, that one perspective picture serves.
-const WIDEST_DEG: f64 = 100.0;
+const MAX_CIRCLE_DEG: f64 = 100.0;
+
+/// The widest field of view of this picture, in degrees: the circle and the images at its edge.
+const MAX_FOV_DEG: f64 = 140.0;
 
 /// The limits of the side of such a picture, in pixels: of no more than f32 counts in hundredths.
 const SIZES: [f64; 2] = [16.0, 65536.0];
@@ -24,7 +27,7 @@ pub struct StarSide {
 }
 
 impl StarSide {
-    /// Those of a scene, or none where a mesh through its own picture finds the images.
+    /// The sides of a scene, or none where a mesh through its own picture finds the images.
     pub fn all_of(scene: &Scene) -> Vec<Self> {
         let camera = &scene.camera;
         let projection = camera.projection.of_picture();
@@ -34,12 +37,9 @@ impl StarSide {
         // Images reach beyond the circle by twice their stretch.
         let margin = 4.0 * stretch(scene) * scene.pixel_angle();
         let fisheye_deg = camera.fisheye_deg + margin.to_degrees();
-        if projection == Projection::Fisheye && camera.fisheye_deg <= WIDEST_DEG {
-            return vec![Self::new(
-                scene,
-                DMat3::IDENTITY,
-                fisheye_deg.min(2.0 * WIDEST_DEG - 60.0),
-            )];
+        if projection == Projection::Fisheye && camera.fisheye_deg <= MAX_CIRCLE_DEG {
+            let fov_deg = fisheye_deg.min(MAX_FOV_DEG);
+            return vec![Self::new(scene, DMat3::IDENTITY, fov_deg)];
         }
         let sides = CubeLayout::THREE_BY_TWO.sides;
         let axes = sides.iter().map(|side| side.axes());
