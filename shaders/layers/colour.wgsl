@@ -3,10 +3,6 @@
 //
 // Gives: compared_light, light_along, seen_along.
 
-// As in view/colour.wgsl.
-const MIN_COVER: f32 = 0.5;
-const MIN_VISIBLE: f32 = 0.02;
-
 struct Seen {
     // The light of the layers that are drawn, and their share of the ray.
     light: vec4<f32>,
@@ -25,8 +21,7 @@ fn seen_along(photon: Photon) -> Seen {
     var light = vec3<f32>(0.0);
     var drawn = vec4<f32>(0.0);
     var transmission = 1.0;
-    var hit_count = 0u;
-    var visible = 1.0;
+    var visible = VisibleHits(0u, 1.0);
     var layer = LAYER_HIT1;
     var hit = ray.hits[0];
     var footprint = footprints.first;
@@ -37,9 +32,7 @@ fn seen_along(photon: Photon) -> Seen {
         layer = select(LAYER_HIT1, LAYER_HIT2, i > 0u);
         light += arriving;
         drawn += light_of_layer(layer, arriving, transmission * (1.0 - through));
-        let counts = disk_cover(r) > MIN_COVER && visible > MIN_VISIBLE;
-        hit_count += select(0u, 1u, counts);
-        visible *= select(1.0, scene.disk.transmission, counts);
+        visible = with_crossing(visible, disk_cover(r));
         transmission *= through;
         if transmission == 0.0 {
             break;
@@ -56,8 +49,7 @@ fn seen_along(photon: Photon) -> Seen {
         // The rest of a ray that ends at a crossing of the disk belongs to this crossing.
         drawn += light_of_layer(select(layer, LAYER_HOLE, ends_dark), vec3<f32>(0.0), transmission);
     }
-    let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
-    return Seen(drawn, light, outcome, hit_count);
+    return Seen(drawn, light, visible_outcome(ray.outcome, visible.share), visible.count);
 }
 
 // The light that the search for edges compares.

@@ -12,9 +12,6 @@ struct Seen {
     hit_count: u32,
 }
 
-// As in medium/colour.wgsl.
-const MIN_VISIBLE: f32 = 0.02;
-
 fn seen_along(photon: Photon) -> Seen {
     begin_sheets();
     let seen = passage(photon);
@@ -39,7 +36,7 @@ fn seen_along(photon: Photon) -> Seen {
         drawn += light_of_layer(LAYER_HOLE, vec3<f32>(0.0), behind);
     }
     let hit_count = select(0u, 1u, seen.transmission < 0.5);
-    let outcome = select(OUTCOME_HIDDEN, seen.ray.outcome, seen.transmission > MIN_VISIBLE);
+    let outcome = visible_outcome(seen.ray.outcome, seen.transmission);
     return Seen(drawn, light, outcome, hit_count);
 }
 

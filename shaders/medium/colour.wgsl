@@ -10,9 +10,6 @@ struct Seen {
     hit_count: u32,
 }
 
-// The least share of light from behind that matters for the class.
-const MIN_VISIBLE: f32 = 0.02;
-
 // Alpha is the share of the ray that ends at a source, medium or sky: zero in the shadow, where bloom
 // must add nothing (presentation.wgsl). A medium that lets less than half of the light through counts
 // as a hit.
@@ -25,7 +22,7 @@ fn seen_along(photon: Photon) -> Seen {
         light += seen.transmission * sky_light(seen.ray.sky, sky_shift(photon), sky_footprint);
     }
     let hit_count = select(0u, 1u, seen.transmission < 0.5);
-    let outcome = select(OUTCOME_HIDDEN, seen.ray.outcome, seen.transmission > MIN_VISIBLE);
+    let outcome = visible_outcome(seen.ray.outcome, seen.transmission);
     if SHOW_UNFINISHED && seen.ray.outcome == OUTCOME_UNFINISHED {
         return Seen(mark(MAGENTA), outcome, hit_count);
     }
