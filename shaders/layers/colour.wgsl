@@ -1,5 +1,5 @@
-// The view `colour` in layers: of a ray's light what comes from the layers that are drawn, with their share
-// of the ray in alpha. view/colour.wgsl adds up the light of all of them in the same way.
+// The view `colour` in layers: the light that a ray brings from the layers that are drawn, with their share
+// of the ray in alpha. view/colour.wgsl adds up the light of all layers in the same way.
 //
 // Gives: compared_light, light_along, seen_along.
 

@@ -1,6 +1,6 @@
-// The view `colour` of a scene with matter with depth, in layers: of a ray's light what comes from the
+// The view `colour` of a scene with matter with depth, in layers: the light that a ray brings from the
 // layers that are drawn, with their share of the ray in alpha. medium/colour.wgsl adds up the light of all
-// of them in the same way.
+// layers in the same way.
 //
 // Gives: compared_light, light_along, seen_along.
 

@@ -35,7 +35,7 @@ pub struct DrawnPart(Option<Parts>);
 struct Parts {
     wanted: Part,
     drawn: Part,
-    /// Where what is wanted begins in what is drawn.
+    /// The upper left corner of the wanted part within the drawn one.
     inset: UVec2,
 }
 

@@ -1,8 +1,9 @@
 //! The perspective pictures through which a mesh of rays finds the images of stars in a picture of
 //! another projection: the sides of a cube about the camera, or one picture for a narrow circle.
 //!
-//! A mesh's cells are squares of its picture. At the poles of an equirectangular one they are no
-//! measure of the sky, and neighbours in a wide fisheye one see it under very different angles.
+//! A mesh's cells are squares of its picture. Near the poles of an equirectangular picture such a square
+//! covers almost no sky, and in a wide fisheye picture neighbouring squares have very different shapes on
+//! the sky.
 
 use super::numbers::stretch;
 use glam::{DMat3, DVec3};
@@ -14,7 +15,8 @@ const MAX_CIRCLE_DEG: f64 = 100.0;
 /// The widest field of view of this picture, in degrees: the circle and the images at its edge.
 const MAX_FOV_DEG: f64 = 140.0;
 
-/// The limits of the side of such a picture, in pixels: of no more than f32 counts in hundredths.
+/// The limits of the side of such a picture, in pixels. Up to the larger one, f32 resolves a hundredth
+/// of a pixel.
 const SIZES: [f64; 2] = [16.0, 65536.0];
 
 /// A perspective picture through which images are found. Each keeps those within it.
