@@ -6,8 +6,8 @@
 // Gives: bloom_base, bloom_first, bloom_shrink, bloom_spread, over_all.
 
 struct Bloom {
-    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels. The
-    // corner is left of the picture where its columns go around.
+    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels.
+    // Where the columns go around, the corner may lie left of the picture.
     whole: vec2<u32>,
     origin: vec2<i32>,
     // Share of the base's width and height that the picture fills: its last squares may reach beyond.

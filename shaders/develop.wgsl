@@ -4,16 +4,16 @@
 // Gives: develop.
 
 struct Development {
-    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels. The
-    // corner is left of the picture where its columns go around.
+    // Size of the whole picture, and upper left corner of the part that is drawn, in pixels.
+    // Where the columns go around, the corner may lie left of the picture.
     whole: vec2<u32>,
     origin: vec2<i32>,
     // The factor of light.
     exposure: f32,
     // Share of the light that bloom spreads.
     bloom: f32,
-    // Middle and radius of the circle of a fisheye picture, in pixels of the whole picture. Around any
-    // other picture the circle is larger than every picture.
+    // Middle and radius of the circle of a fisheye picture, in pixels of the whole picture. In other
+    // projections the circle is larger than any picture.
     axis: vec2<f32>,
     radius: f32,
 }
@@ -32,7 +32,7 @@ fn develop(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     if HAS_BLOOM {
         let place = vec2<f32>(vec2<i32>(pixel) + development.origin) + 0.5;
         let wide = bloom_blurred(bloom, bloom_sampler, place / vec2<f32>(development.whole));
-        // At the edge of the circle the light of the pixel has this factor already.
+        // At the edge of the circle, the light of the pixel itself already has this factor.
         let coverage = clamp(development.radius - distance(place, development.axis) + 0.5, 0.0, 1.0);
         shown = mix(shown, coverage * wide, development.bloom);
     }

@@ -3,8 +3,8 @@
 // Gives: print.
 
 struct Print {
-    // Upper left corner of the part of the picture that is drawn, in pixels of the whole picture: left
-    // of it where its columns go around.
+    // Upper left corner of the part of the picture that is drawn, in pixels of the whole picture. Where
+    // the columns go around, the corner may lie left of the picture.
     origin: vec2<i32>,
     // The highest level.
     top: f32,

@@ -1,17 +1,13 @@
-// The view `colour` in layers: of a ray's light what comes from the layers that are drawn, with their share
-// of the ray in alpha. view/colour.wgsl adds up the light of all of them in the same way.
+// The view `colour` in layers: the light that a ray brings from the layers that are drawn, with their share
+// of the ray in alpha. view/colour.wgsl adds up the light of all layers in the same way.
 //
-// Gives: light_along, seen_along.
-
-// As in view/colour.wgsl.
-const MIN_COVER: f32 = 0.5;
-const MIN_VISIBLE: f32 = 0.02;
+// Gives: compared_light, light_along, seen_along.
 
 struct Seen {
-    // The light of all layers, whichever are drawn: all of them are to be refined in the same pixels.
-    light: vec3<f32>,
-    // That of the layers that are drawn, and their share of the ray.
-    drawn: vec4<f32>,
+    // The light of the layers that are drawn, and their share of the ray.
+    light: vec4<f32>,
+    // The light of all layers.
+    compared: vec3<f32>,
     // The visible outcome and hits.
     outcome: u32,
     hit_count: u32,
@@ -25,8 +21,7 @@ fn seen_along(photon: Photon) -> Seen {
     var light = vec3<f32>(0.0);
     var drawn = vec4<f32>(0.0);
     var transmission = 1.0;
-    var hit_count = 0u;
-    var visible = 1.0;
+    var visible = VisibleHits(0u, 1.0);
     var layer = LAYER_HIT1;
     var hit = ray.hits[0];
     var footprint = footprints.first;
@@ -37,9 +32,7 @@ fn seen_along(photon: Photon) -> Seen {
         layer = select(LAYER_HIT1, LAYER_HIT2, i > 0u);
         light += arriving;
         drawn += light_of_layer(layer, arriving, transmission * (1.0 - through));
-        let counts = disk_cover(r) > MIN_COVER && visible > MIN_VISIBLE;
-        hit_count += select(0u, 1u, counts);
-        visible *= select(1.0, scene.disk.transmission, counts);
+        visible = with_crossing(visible, disk_cover(r));
         transmission *= through;
         if transmission == 0.0 {
             break;
@@ -53,13 +46,17 @@ fn seen_along(photon: Photon) -> Seen {
         light += arriving;
         drawn += light_of_layer(LAYER_SKY, arriving, transmission);
     } else {
-        // What nobody follows behind the last crossing of the disk belongs to the disk.
+        // The rest of a ray that ends at a crossing of the disk belongs to this crossing.
         drawn += light_of_layer(select(layer, LAYER_HOLE, ends_dark), vec3<f32>(0.0), transmission);
     }
-    let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
-    return Seen(light, drawn, outcome, hit_count);
+    return Seen(drawn, light, visible_outcome(ray.outcome, visible.share), visible.count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.compared;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {
-    return seen_along(photon).drawn;
+    return seen_along(photon).light;
 }

@@ -1,19 +1,16 @@
-// The view `colour` of a scene with matter with depth, in layers: of a ray's light what comes from the
+// The view `colour` of a scene with matter with depth, in layers: the light that a ray brings from the
 // layers that are drawn, with their share of the ray in alpha. medium/colour.wgsl adds up the light of all
-// of them in the same way.
+// layers in the same way.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // As in layers/colour.wgsl.
 struct Seen {
-    light: vec3<f32>,
-    drawn: vec4<f32>,
+    light: vec4<f32>,
+    compared: vec3<f32>,
     outcome: u32,
     hit_count: u32,
 }
-
-// As in medium/colour.wgsl.
-const MIN_VISIBLE: f32 = 0.02;
 
 fn seen_along(photon: Photon) -> Seen {
     begin_sheets();
@@ -39,10 +36,15 @@ fn seen_along(photon: Photon) -> Seen {
         drawn += light_of_layer(LAYER_HOLE, vec3<f32>(0.0), behind);
     }
     let hit_count = select(0u, 1u, seen.transmission < 0.5);
-    let outcome = select(OUTCOME_HIDDEN, seen.ray.outcome, seen.transmission > MIN_VISIBLE);
-    return Seen(light, drawn, outcome, hit_count);
+    let outcome = visible_outcome(seen.ray.outcome, seen.transmission);
+    return Seen(drawn, light, outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.compared;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {
-    return seen_along(photon).drawn;
+    return seen_along(photon).light;
 }

@@ -10,7 +10,7 @@ var<private> later_sheets: vec4<f32>;
 // Whether the ray has crossed the disk.
 var<private> crossed: bool;
 
-// Forgets the crossings of another ray.
+// Forgets the crossings of the ray before.
 fn begin_sheets() {
     first_sheet = vec4<f32>(0.0);
     later_sheets = vec4<f32>(0.0);

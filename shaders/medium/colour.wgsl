@@ -1,6 +1,6 @@
 // The view `colour` of a scene with matter with depth: its light, and the sky's behind it.
 //
-// Gives: light_along, seen_along.
+// Gives: compared_light, light_along, seen_along.
 
 // The light along a ray, and its visible outcome and hits, by which the search for edges compares
 // neighbouring pixels.
@@ -9,9 +9,6 @@ struct Seen {
     outcome: u32,
     hit_count: u32,
 }
-
-// The least share of light from behind that matters for the class.
-const MIN_VISIBLE: f32 = 0.02;
 
 // Alpha is the share of the ray that ends at a source, medium or sky: zero in the shadow, where bloom
 // must add nothing (presentation.wgsl). A medium that lets less than half of the light through counts
@@ -25,12 +22,17 @@ fn seen_along(photon: Photon) -> Seen {
         light += seen.transmission * sky_light(seen.ray.sky, sky_shift(photon), sky_footprint);
     }
     let hit_count = select(0u, 1u, seen.transmission < 0.5);
-    let outcome = select(OUTCOME_HIDDEN, seen.ray.outcome, seen.transmission > MIN_VISIBLE);
+    let outcome = visible_outcome(seen.ray.outcome, seen.transmission);
     if SHOW_UNFINISHED && seen.ray.outcome == OUTCOME_UNFINISHED {
         return Seen(mark(MAGENTA), outcome, hit_count);
     }
     let ends_dark = seen.ray.outcome == OUTCOME_CAPTURED || seen.ray.outcome == OUTCOME_UNFINISHED;
     return Seen(vec4<f32>(light, select(1.0, 1.0 - seen.transmission, ends_dark)), outcome, hit_count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.light.rgb;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {

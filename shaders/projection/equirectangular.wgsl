@@ -3,7 +3,8 @@
 // left corner of the whole picture, and directions are (right, up, forward) of the camera.
 // scene.picture.projection holds the angles between two columns and between two rows.
 //
-// Gives: coverage, image_reach, is_in_view, is_on_sky, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
+// Gives: coverage, image_reach, is_in_view, is_on_sky, pixel_direction, pixel_solid_angle, project,
+//     ray_solid_angle, shown_place.
 
 // The solid angle of a pixel about the last pixel_direction, in steradians.
 var<private> ray_solid_angle: f32;

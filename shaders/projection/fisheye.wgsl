@@ -4,7 +4,8 @@
 // scene.picture.projection holds the angle that a pixel covers along a radius and the radius of the
 // circle, in pixels.
 //
-// Gives: coverage, image_reach, is_in_view, is_on_sky, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
+// Gives: coverage, image_reach, is_in_view, is_on_sky, pixel_direction, pixel_solid_angle, project,
+//     ray_solid_angle, shown_place.
 
 // Images of stars grow at most by this factor along the circle, where its edge shows one direction.
 const MAX_STRETCH: f32 = 8.0;

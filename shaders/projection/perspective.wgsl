@@ -2,7 +2,8 @@
 // upper left corner of the whole picture, and directions are (right, up, forward) of the camera.
 // scene.picture.projection holds the tangents of half the field of view, horizontal and vertical.
 //
-// Gives: coverage, is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
+// Gives: coverage, is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle,
+//     shown_place.
 
 // The solid angle of a pixel about the last pixel_direction, in steradians.
 var<private> ray_solid_angle: f32;

@@ -1,36 +1,12 @@
 // The sky mode `stars`: the light of the Milky Way, which is that of nebulae and of all stars that
 // the passes of shaders/stars/ do not draw as points.
 //
-// Gives: sky_background, starlight.
+// Gives: sky_background.
 
-// Mirror of `GpuStarlight` in gpu/starlight.rs.
-struct Starlight {
-    // From the hole's frame to the equatorial frame (J2000).
-    celestial_from_hole: mat3x3<f32>,
-    // The faintest magnitude of a star drawn as a point, if its image has the star's own flux, and
-    // at any flux.
-    magnitude_limit: f32,
-    last_magnitude: f32,
-    // Temperatures of the two components, in kelvin.
-    temperatures: vec2<f32>,
-    // Colour of nebulae, at equal steps of the logarithm of the frequency ratio.
-    nebular: array<vec4<f32>, NEBULAR_LEN>,
-    // Width of a texel of the finest level, in radians.
-    texel: f32,
-    // Linear light per unit of the sums of points.
-    light_unit: f32,
-    // The squares in which light is summed: their number along the side of a pixel, and in a row.
-    squares_per_pixel: f32,
-    columns: u32,
-}
-
-@group(0) @binding(BINDING_STARLIGHT) var<uniform> starlight: Starlight;
 // Light per steradian of bluer stars, of redder ones and of nebulae.
 @group(0) @binding(BINDING_MILKY_WAY) var milky_way: texture_cube<f32>;
 @group(0) @binding(BINDING_MILKY_WAY_SAMPLER) var milky_way_sampler: sampler;
 
-// Maximum number of samples along a footprint. Four reduce the error next to the shadow to a third.
-const MAX_TAPS: f32 = 4.0;
 // The share of starlight from stars fainter than a magnitude (optics/stars/counts.rs).
 fn faint_share(magnitude: f32) -> f32 {
     let x = clamp(magnitude - 11.0, -13.0, 14.0);
@@ -38,19 +14,16 @@ fn faint_share(magnitude: f32) -> f32 {
     return 1.0 / (1.0 + exp(cubic));
 }
 
-// The light of the components in a direction, filtered along the footprint with as many samples as
-// the ratio of its axes.
+// The light of the components in a direction, filtered along the footprint.
 fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec3<f32> {
-    let along = starlight.celestial_from_hole * axes.long;
-    let middle = starlight.celestial_from_hole * direction;
-    let taps = clamp(ceil(axes.lengths.x / max(axes.lengths.y, TINY) - 0.25), 1.0, MAX_TAPS);
-    let level = log2(max(max(axes.lengths.y, axes.lengths.x / taps) / starlight.texel, 1.0));
+    let taps = map_taps(direction, axes);
+    let level = taps.level;
     var light = vec3<f32>(0.0);
-    for (var tap = 0.5; tap < taps; tap += 1.0) {
-        let place = middle + (tap / taps - 0.5) * along;
+    for (var tap = 0.5; tap < taps.count; tap += 1.0) {
+        let place = taps.middle + (tap / taps.count - 0.5) * taps.along;
         light += textureSampleLevel(milky_way, milky_way_sampler, place, level).rgb;
     }
-    return light / taps;
+    return light / taps.count;
 }
 
 // Linear sRGB of a nebula per unit of flux: its lines, seen with the frequency ratio g

@@ -14,8 +14,8 @@ struct ImageCount {
 @group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read_write> image_count: ImageCount;
 
-// Adds the image seen in `direction` (right, up, forward), unless it is outside of what is searched or
-// too faint.
+// Adds the image seen in `direction` (right, up, forward), unless it is outside the picture or the
+// side that is searched, or too faint.
 fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
     if !is_own_image(direction) {
         return;

@@ -1,26 +1,10 @@
 // Adds the light of each image of a star to the squares about it, which are single pixels except in
-// very large pictures. Sums are whole numbers, so the order of additions does not matter.
+// very large pictures.
 //
 // Gives: splat.
 
 // Maximum width of an image in squares, for pictures of up to 8192 lines.
 const MAX_WIDTH: u32 = 32u;
-// Maximum light of an image on a square, in units: eight of them fit into a sum.
-const MAX_UNITS: f32 = 536870912.0;
-
-@group(0) @binding(BINDING_STAR_IMAGES) var<storage, read> star_images: array<StarImage>;
-// As in add_image.wgsl; the last number counts the images.
-@group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
-// Red, green and blue of each square, row by row.
-@group(0) @binding(BINDING_STAR_SUMS) var<storage, read_write> star_sums: array<atomic<u32>>;
-
-// The cubic B-spline, wider by the stretch: zero at twice the stretch from its middle.
-fn profile(distance: f32, stretch: f32) -> f32 {
-    let x = abs(distance) / stretch;
-    let wide = max(2.0 - x, 0.0);
-    let narrow = max(1.0 - x, 0.0);
-    return wide * wide * wide - 4.0 * narrow * narrow * narrow;
-}
 
 // One invocation for each image.
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -32,7 +16,7 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
     if !is_positive(image.flux) {
         return;
     }
-    let light = thermal_colour(image.temperature) * (image.flux * scene.sky.brightness * stars.unit);
+    let light = image_light(image);
     // From here on lengths are in squares.
     let side = f32(max(stars.sums_side, 1u));
     let place = project(image.direction) / side;
@@ -60,15 +44,7 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
                 continue;
             }
             let weight = profile(middle.x - place.x, stretch) * profile(middle.y - place.y, stretch) * whole;
-            let share = light * (weight / (side * side * pixel_solid_angle(shown)));
-            let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), are_positive(share));
-            let index = 3u * u32(at.y * size.x + at.x);
-            if index + 2u < arrayLength(&star_sums) {
-                let rounded = vec3<u32>(units + 0.5);
-                atomicAdd(&star_sums[index], rounded.x);
-                atomicAdd(&star_sums[index + 1u], rounded.y);
-                atomicAdd(&star_sums[index + 2u], rounded.z);
-            }
+            add_light(u32(at.y * size.x + at.x), light * (weight / (side * side * pixel_solid_angle(shown))));
         }
     }
 }

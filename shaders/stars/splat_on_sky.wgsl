@@ -3,29 +3,12 @@
 //
 // Gives: splat.
 
-// Maximum light of an image on a square, in units: eight of them fit into a sum.
-const MAX_UNITS: f32 = 536870912.0;
-
-@group(0) @binding(BINDING_STAR_IMAGES) var<storage, read> star_images: array<StarImage>;
-// As in add_image.wgsl; the last number counts the images.
-@group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
-// Red, green and blue of each square, row by row.
-@group(0) @binding(BINDING_STAR_SUMS) var<storage, read_write> star_sums: array<atomic<u32>>;
-
-// The cubic B-spline: zero at a distance of two from its middle.
-fn profile(distance: f32) -> f32 {
-    let x = abs(distance);
-    let wide = max(2.0 - x, 0.0);
-    let narrow = max(1.0 - x, 0.0);
-    return wide * wide * wide - 4.0 * narrow * narrow * narrow;
-}
-
 // The weight of an image at a place, for each steradian, when its profile has the width `scale` in
 // radians.
 fn weight_at(place: vec2<f32>, image: vec3<f32>, tangents: Tangents, scale: f32) -> f32 {
     let direction = pixel_direction(place);
-    let across = components_across(tangents, direction - image) / scale;
-    let weight = profile(across.x) * profile(across.y);
+    let across = components_across(tangents, direction - image);
+    let weight = profile(across.x, scale) * profile(across.y, scale);
     return select(0.0, weight, is_on_sky(place) && dot(direction, image) > 0.0);
 }
 
@@ -40,13 +23,14 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
     if !is_positive(image.flux) || !is_in_view(image.direction, 2.0 * stretch) {
         return;
     }
-    let light = thermal_colour(image.temperature) * (image.flux * scene.sky.brightness * stars.unit);
+    let light = image_light(image);
     let tangents = tangents_at(image.direction);
     let scale = stretch * sqrt(scene.picture.middle_solid_angle);
     // The squares about the image; from the middle of a diagonal to its corner is the root of two.
     let side = f32(max(stars.sums_side, 1u));
-    let reach = image_reach(project(image.direction), 2.83 * stretch) / side + 1.0;
-    let middle = project(image.direction) / side;
+    let place_of_image = project(image.direction);
+    let reach = image_reach(place_of_image, 2.83 * stretch) / side + 1.0;
+    let middle = place_of_image / side;
     let all = ceil(scene.picture.whole / side);
     let first = floor(middle - reach);
     let count = vec2<u32>(clamp(ceil(2.0 * reach) + 1.0, vec2<f32>(1.0), all));
@@ -74,16 +58,9 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
                 continue;
             }
             let share = light * (weight_at(place, image.direction, tangents, scale) * whole);
-            let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), are_positive(share));
-            let rounded = vec3<u32>(units + 0.5);
             // A part that goes around begins left of the first column, and may have a column twice.
             for (var x = select(at.x, at.x + squares.x, at.x < 0); x < size.x; x += squares.x) {
-                let index = 3u * u32(at.y * size.x + x);
-                if index + 2u < arrayLength(&star_sums) {
-                    atomicAdd(&star_sums[index], rounded.x);
-                    atomicAdd(&star_sums[index + 1u], rounded.y);
-                    atomicAdd(&star_sums[index + 2u], rounded.z);
-                }
+                add_light(u32(at.y * size.x + x), share);
             }
         }
     }

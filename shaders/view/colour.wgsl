@@ -1,11 +1,6 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Gives: light_along, seen_along.
-
-// A crossing counts for the class where the disk's coverage is larger: a fade is one edge, not two.
-const MIN_COVER: f32 = 0.5;
-// The smallest share of light from behind the counted crossings that matters for the class.
-const MIN_VISIBLE: f32 = 0.02;
+// Gives: compared_light, light_along, seen_along.
 
 // The light along a ray, and its visible outcome and hits, by which the search for edges compares
 // neighbouring pixels.
@@ -25,8 +20,7 @@ fn seen_along(photon: Photon) -> Seen {
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     var without_source = 1.0;
-    var hit_count = 0u;
-    var visible = 1.0;
+    var visible = VisibleHits(0u, 1.0);
     var hit = ray.hits[0];
     var footprint = footprints.first;
     // A loop, which ends early also in drivers that execute both sides of a branch.
@@ -34,9 +28,7 @@ fn seen_along(photon: Photon) -> Seen {
         let r = length(hit.position);
         let cover = disk_cover(r);
         light += transmission * disk_light(photon, hit, footprint);
-        let counts = cover > MIN_COVER && visible > MIN_VISIBLE;
-        hit_count += select(0u, 1u, counts);
-        visible *= select(1.0, scene.disk.transmission, counts);
+        visible = with_crossing(visible, cover);
         transmission *= disk_transmission(r);
         without_source *= 1.0 - cover;
         if transmission == 0.0 {
@@ -48,12 +40,17 @@ fn seen_along(photon: Photon) -> Seen {
     if ray.outcome == OUTCOME_SKY {
         light += transmission * sky_light(ray.sky, sky_shift(photon), sky_footprint);
     }
-    let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
+    let outcome = visible_outcome(ray.outcome, visible.share);
     if SHOW_UNFINISHED && ray.outcome == OUTCOME_UNFINISHED {
-        return Seen(mark(MAGENTA), outcome, hit_count);
+        return Seen(mark(MAGENTA), outcome, visible.count);
     }
     let ends_dark = ray.outcome == OUTCOME_CAPTURED || ray.outcome == OUTCOME_UNFINISHED;
-    return Seen(vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark)), outcome, hit_count);
+    return Seen(vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark)), outcome, visible.count);
+}
+
+// The light that the search for edges compares.
+fn compared_light(seen: Seen) -> vec3<f32> {
+    return seen.light.rgb;
 }
 
 fn light_along(photon: Photon) -> vec4<f32> {

@@ -86,7 +86,7 @@ bindings! {
     SPECTRUM: UNIFORM, picture;
     /// The rings and waves of the disk's structure, a uniform.
     STRUCTURE: UNIFORM, picture;
-    /// The uniform `Starlight` of the sky mode `stars`.
+    /// The uniform `Starlight` of the sky modes `stars` and `picture`.
     STARLIGHT: UNIFORM, picture;
     /// The table of the disk model `page-thorne`, a uniform.
     PAGE_THORNE: UNIFORM, picture;

@@ -88,7 +88,7 @@ pub enum GpuError {
          jet.enabled = false leaves them out"
     )]
     StraightRaysWithJets,
-    /// The foreground probe has no picture in this projection.
+    /// The foreground probe is not drawn in this projection, or with a shift.
     #[error(
         "probe.enabled = true is refused: the probe is drawn in perspective, and here camera.projection is \"{}\"{}; \
          probe.enabled = false leaves it out",

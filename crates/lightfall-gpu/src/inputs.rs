@@ -69,7 +69,7 @@ impl<'a> Inputs<'a> {
                 Some(uniform(&GpuHotSpot::new(scene)))
             }
             SPECTRUM => Some(SPECTRUM_TABLE.clone()),
-            // Where stars are drawn in front of the picture, their own numbers take its place.
+            // Where stars are drawn in front of the picture, a uniform with their depth takes its place.
             STARLIGHT if scene.sky.mode == SkyMode::Picture => {
                 Some(uniform(&GpuStarlight::new(scene, Depth::NO_POINTS)))
             }

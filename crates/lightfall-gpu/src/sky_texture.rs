@@ -35,7 +35,7 @@ impl SkyTexture {
     /// The view of the texture as a cube.
     pub fn view() -> TextureViewDescriptor<'static> {
         TextureViewDescriptor {
-            label: Some("Milky Way"),
+            label: Some("map of the sky"),
             dimension: Some(TextureViewDimension::Cube),
             ..Default::default()
         }
@@ -44,7 +44,7 @@ impl SkyTexture {
     /// The sampler, linear between texels and between levels.
     pub fn sampler() -> SamplerDescriptor<'static> {
         SamplerDescriptor {
-            label: Some("Milky Way"),
+            label: Some("map of the sky"),
             mag_filter: FilterMode::Linear,
             min_filter: FilterMode::Linear,
             mipmap_filter: MipmapFilterMode::Linear,
@@ -57,27 +57,26 @@ impl SkyTexture {
         if !shown {
             return vec![0; 6 * 8];
         }
-        let texels = MilkyWay::photograph().half_floats();
-        texels
-            .into_iter()
-            .flatten()
-            .flat_map(u16::to_le_bytes)
-            .collect()
+        bytes_of(MilkyWay::photograph().half_floats())
     }
 
     /// The bytes of the texture of a picture of the sky.
     pub fn bytes_of_picture(picture: &SkyPicture) -> Vec<u8> {
-        picture
-            .half_floats()
-            .flatten()
-            .flat_map(u16::to_le_bytes)
-            .collect()
+        bytes_of(picture.half_floats())
     }
+}
+
+fn bytes_of(texels: impl IntoIterator<Item = [u16; 4]>) -> Vec<u8> {
+    texels
+        .into_iter()
+        .flatten()
+        .flat_map(u16::to_le_bytes)
+        .collect()
 }
 
 fn cube_map(side: u32, levels: u32) -> TextureDescriptor<'static> {
     TextureDescriptor {
-        label: Some("Milky Way"),
+        label: Some("map of the sky"),
         size: Extent3d {
             width: side,
             height: side,

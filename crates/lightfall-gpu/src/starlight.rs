@@ -11,7 +11,7 @@ use lightfall_optics::milky_way::{MilkyWay, nebular};
 use lightfall_optics::sky_picture::{SkyPicture, picture_from_hole};
 use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
 
-/// Mirror of `Starlight` in shaders/sky/stars.wgsl and shaders/sky/picture.wgsl.
+/// Mirror of `Starlight` in shaders/sky/map.wgsl.
 #[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuStarlight {

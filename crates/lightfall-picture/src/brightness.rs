@@ -23,7 +23,7 @@ pub fn brightness(
 }
 
 /// The brightness that a screen shows at an exposure, without the tone curve: sRGB's encoding of the
-/// luminance of linear light (IEC 61966-2-1), at most 1. shaders/antialias/brightness.wgsl does the
+/// luminance of linear light (IEC 61966-2-1), at most 1. shaders/antialias/geodesic.wgsl does the
 /// same.
 fn shown_brightness([r, g, b]: [f64; 3], exposure_ev: f64) -> f64 {
     let luminance = (0.2126 * r + 0.7152 * g + 0.0722 * b) * exposure_ev.exp2();

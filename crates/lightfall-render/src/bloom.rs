@@ -62,8 +62,7 @@ impl BloomPass {
         textures.map_or(&self.nothing, |textures| &textures.levels[0])
     }
 
-    /// What the levels are read with. Where the picture's columns go around, those of the levels do,
-    /// too.
+    /// The sampler of the levels, whose columns go around where those of the picture do.
     pub(super) fn sampler(&self) -> &Sampler {
         &self.samplers[usize::from(self.goes_around)]
     }

@@ -35,7 +35,7 @@ pub struct DrawnPart(Option<Parts>);
 struct Parts {
     wanted: Part,
     drawn: Part,
-    /// Where what is wanted begins in what is drawn.
+    /// The upper left corner of the wanted part within the drawn one.
     inset: UVec2,
 }
 
@@ -139,35 +139,12 @@ mod tests {
             origin: UVec2::new(x, y),
             size: UVec2::new(width, height),
         };
+        let (flat, around) = (Projection::Perspective, Projection::Equirectangular);
         for (wanted, projection, drawn, first_pixel, inset) in [
-            (
-                [0, 2, 8, 4],
-                Projection::Perspective,
-                [0, 0, 10, 8],
-                [0, 0],
-                [0, 2],
-            ),
-            (
-                [0, 2, 8, 4],
-                Projection::Equirectangular,
-                [14, 0, 12, 8],
-                [-2, 0],
-                [2, 2],
-            ),
-            (
-                [8, 0, 8, 4],
-                Projection::Equirectangular,
-                [6, 0, 12, 6],
-                [6, 0],
-                [2, 0],
-            ),
-            (
-                [0, 4, 16, 4],
-                Projection::Equirectangular,
-                [14, 2, 20, 6],
-                [-2, 2],
-                [2, 2],
-            ),
+            ([0, 2, 8, 4], flat, [0, 0, 10, 8], [0, 0], [0, 2]),
+            ([0, 2, 8, 4], around, [14, 0, 12, 8], [-2, 0], [2, 2]),
+            ([8, 0, 8, 4], around, [6, 0, 12, 6], [6, 0], [2, 0]),
+            ([0, 4, 16, 4], around, [14, 2, 20, 6], [-2, 2], [2, 2]),
         ] {
             let frame = frame.with_part(Some(part(wanted)));
             let seen = DrawnPart::of(&frame, projection, APRON);

@@ -1,9 +1,9 @@
-// Where images of stars are looked for: on a side of a cube about the camera, each of which has its
+// Where images of stars are searched for: on one side of a cube about the camera. Each side has its
 // own mesh and keeps the images within it (gpu/stars/sides.rs).
 //
 // Gives: in_picture, is_own_image.
 
-// As in picture.wgsl.
+// Whether an image in this direction (right, up, forward) is on this side.
 fn is_own_image(direction: vec3<f32>) -> bool {
     return is_in_view(direction, 0.0);
 }

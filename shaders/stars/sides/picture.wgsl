@@ -1,8 +1,8 @@
-// Where images of stars are looked for: in the picture itself.
+// Where images of stars are searched for: in the picture itself.
 //
 // Gives: in_picture, is_own_image.
 
-// Whether an image in this direction (right, up, forward) belongs to what is searched.
+// Whether an image in this direction (right, up, forward) has light in the picture.
 fn is_own_image(direction: vec3<f32>) -> bool {
     return is_in_view(direction, 2.0 * stars.stretch);
 }

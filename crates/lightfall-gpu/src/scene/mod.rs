@@ -99,16 +99,12 @@ fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
         return Err(GpuError::Spin(kerr.spin));
     }
     let projection = scene.camera.projection;
-    let is_shifted = scene.camera.shift != [0.0; 2];
-    let has_picture = match projection {
-        Projection::Perspective => !is_shifted,
-        Projection::Cube => true,
-        Projection::Fisheye | Projection::Equirectangular => false,
-    };
-    if scene.probe.enabled && !has_picture {
+    let shifted = projection == Projection::Perspective && scene.camera.shift != [0.0; 2];
+    let in_perspective = projection.of_picture() == Projection::Perspective;
+    if scene.probe.enabled && (shifted || !in_perspective) {
         return Err(GpuError::Probe {
             projection,
-            shifted: projection == Projection::Perspective,
+            shifted,
         });
     }
     if cfg!(target_arch = "wasm32") && scene.view == View::Error {

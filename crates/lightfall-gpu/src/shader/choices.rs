@@ -40,7 +40,6 @@ impl Variant {
         match self.entry {
             Entry::Timed => "timed.wgsl",
             Entry::TimedLight => "timed_light.wgsl",
-            _ if self.antialias && self.layers => "layers/geodesic.wgsl",
             _ if self.antialias => "antialias/geodesic.wgsl",
             _ => "geodesic.wgsl",
         }
@@ -222,8 +221,8 @@ impl Variant {
     /// The files that colour a ray. A view that traces rays gives `fn light_along(photon: Photon)
     /// -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other gives `fn light_at(place:
     /// vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper left corner. Both return
-    /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing; of
-    /// layers, their share of the ray.
+    /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing. For
+    /// layers, the last number is their share of the ray.
     fn view_files(self) -> Vec<String> {
         let view = match self.view {
             View::Unfinished => View::Colour,

@@ -90,7 +90,7 @@ impl GpuStarMesh {
         }
     }
 
-    /// The numbers for a mesh through a side, whose scene the others are for.
+    /// The same numbers for a mesh on this side, with the rotation from the side to the picture.
     #[must_use]
     pub fn on_side(self, side: &StarSide) -> Self {
         let row = |i: usize| side.picture_from_side.row(i).as_vec3();

@@ -1,17 +1,22 @@
 //! The perspective pictures through which a mesh of rays finds the images of stars in a picture of
 //! another projection: the sides of a cube about the camera, or one picture for a narrow circle.
 //!
-//! A mesh's cells are squares of its picture. At the poles of an equirectangular one they are no
-//! measure of the sky, and neighbours in a wide fisheye one see it under very different angles.
+//! A mesh's cells are squares of its picture. Near the poles of an equirectangular picture such a square
+//! covers almost no sky, and in a wide fisheye picture neighbouring squares have very different shapes on
+//! the sky.
 
 use super::numbers::stretch;
 use glam::{DMat3, DVec3};
 use lightfall_model::scene::{CubeLayout, Projection, Scene};
 
 /// The widest circle, in degrees, that one perspective picture serves.
-const WIDEST_DEG: f64 = 100.0;
+const MAX_CIRCLE_DEG: f64 = 100.0;
 
-/// The limits of the side of such a picture, in pixels: of no more than f32 counts in hundredths.
+/// The widest field of view of this picture, in degrees: the circle and the images at its edge.
+const MAX_FOV_DEG: f64 = 140.0;
+
+/// The limits of the side of such a picture, in pixels. Up to the larger one, f32 resolves a hundredth
+/// of a pixel.
 const SIZES: [f64; 2] = [16.0, 65536.0];
 
 /// A perspective picture through which images are found. Each keeps those within it.
@@ -24,7 +29,7 @@ pub struct StarSide {
 }
 
 impl StarSide {
-    /// Those of a scene, or none where a mesh through its own picture finds the images.
+    /// The sides of a scene, or none where a mesh through its own picture finds the images.
     pub fn all_of(scene: &Scene) -> Vec<Self> {
         let camera = &scene.camera;
         let projection = camera.projection.of_picture();
@@ -34,12 +39,9 @@ impl StarSide {
         // Images reach beyond the circle by twice their stretch.
         let margin = 4.0 * stretch(scene) * scene.pixel_angle();
         let fisheye_deg = camera.fisheye_deg + margin.to_degrees();
-        if projection == Projection::Fisheye && camera.fisheye_deg <= WIDEST_DEG {
-            return vec![Self::new(
-                scene,
-                DMat3::IDENTITY,
-                fisheye_deg.min(2.0 * WIDEST_DEG - 60.0),
-            )];
+        if projection == Projection::Fisheye && camera.fisheye_deg <= MAX_CIRCLE_DEG {
+            let fov_deg = fisheye_deg.min(MAX_FOV_DEG);
+            return vec![Self::new(scene, DMat3::IDENTITY, fov_deg)];
         }
         let sides = CubeLayout::THREE_BY_TWO.sides;
         let axes = sides.iter().map(|side| side.axes());

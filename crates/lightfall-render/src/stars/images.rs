@@ -209,11 +209,11 @@ impl SceneStars {
             return false;
         }
         drawn.bind_groups = [const { Vec::new() }; StarKernel::ALL.len()];
-        let rounds_of = |kernel: StarKernel| if kernel.is_of_mesh() { drawn.rounds } else { 1 };
-        let all: Vec<_> = StarKernel::ALL
-            .into_iter()
-            .flat_map(|kernel| (0..rounds_of(kernel)).map(move |round| (kernel, round)))
-            .collect();
+        let of_mesh = drawn.rounds;
+        let all = StarKernel::ALL.into_iter().flat_map(|kernel| {
+            let rounds = if kernel.is_of_mesh() { of_mesh } else { 1 };
+            (0..rounds).map(move |round| (kernel, round))
+        });
         for (kernel, round) in all {
             let side = self.meshes.scene(round).filter(|_| kernel.is_of_mesh());
             let numbers = side.unwrap_or(numbers);

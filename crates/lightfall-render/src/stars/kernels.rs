@@ -9,9 +9,9 @@ use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::scene::Projection;
 use std::marker::PhantomData;
 
-/// The first of the shaders of each kind, which have consecutive numbers, one for each projection
-/// that counts.
+/// The shader that lists candidates.
 const CANDIDATE_SHADER: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
+/// The first of the shaders that draw images, which have consecutive numbers, one for each projection.
 const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
 
 /// The pipelines of a scene's stars, in the order of [`StarKernel::ALL`]; `None` where the scene has no
@@ -43,8 +43,8 @@ impl StarPipelines {
             .any(|(kernel, _)| kernel == StarKernel::TraceMesh);
         let finding = by_mesh.then_some(StarKernel::FINDING_CANDIDATES);
         let finding = finding.into_iter().flatten();
-        let candidates = handle(CANDIDATE_SHADER, Projection::Perspective);
-        let splat = handle(SPLAT_SHADERS, projection);
+        let candidates = handle(CANDIDATE_SHADER);
+        let splat = splat_handle(projection);
         let all = shaders
             .map(|(kernel, shader)| (kernel, shader.clone()))
             .chain(finding.map(|kernel| (kernel, candidates.clone())))
@@ -70,18 +70,26 @@ impl StarPipelines {
     }
 }
 
-/// The shader of one kind for a projection.
-fn handle(first: u128, projection: Projection) -> Handle<Shader> {
-    Handle::Uuid(Uuid::from_u128(first + projection as u128), PhantomData)
+/// The shader with this number.
+fn handle(number: u128) -> Handle<Shader> {
+    Handle::Uuid(Uuid::from_u128(number), PhantomData)
+}
+
+/// The shader that draws images in a projection.
+fn splat_handle(projection: Projection) -> Handle<Shader> {
+    handle(SPLAT_SHADERS + projection as u128)
 }
 
 /// Adds the shaders that are the same for all scenes with the same projection.
 pub(super) fn add_shaders(app: &mut App) {
-    let candidates = handle(CANDIDATE_SHADER, Projection::Perspective);
+    let candidates = handle(CANDIDATE_SHADER);
     let text = candidate_shader();
     add_shader(app, &candidates, text, "lightfall/find_candidates.wgsl");
-    for projection in Projection::ALL {
-        let splat = handle(SPLAT_SHADERS, projection);
+    let of_pictures = Projection::ALL
+        .into_iter()
+        .filter(|projection| projection.of_picture() == *projection);
+    for projection in of_pictures {
+        let splat = splat_handle(projection);
         let text = splat_shader(projection);
         add_shader(app, &splat, text, "lightfall/splat.wgsl");
     }

@@ -46,14 +46,16 @@ impl ReadyStars<'_> {
     /// Empties what is stale of the lists and the sums.
     pub(super) fn clear(&self, stale: Stale, encoder: &mut CommandEncoder, queue: &RenderQueue) {
         let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
-        let no_candidates = empty_candidate_count(self.max_traced);
-        queue.write_buffer(&self.drawn.no_candidates, 0, &no_candidates);
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
                 STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ if stale == Stale::Sums => {}
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
-                CANDIDATE_COUNT => queue.write_buffer(buffer, 0, &no_candidates),
+                CANDIDATE_COUNT => {
+                    let none = empty_candidate_count(self.max_traced);
+                    queue.write_buffer(buffer, 0, &none);
+                    queue.write_buffer(&self.drawn.no_candidates, 0, &none);
+                }
                 _ => {}
             }
         }
