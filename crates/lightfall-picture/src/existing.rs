@@ -5,20 +5,19 @@ use super::{Channels, ExrForm, PngBits};
 use exr::meta::MetaData;
 use exr::meta::header::Header;
 use glam::UVec2;
-use lightfall_platform::storage::{PictureRecord, embedded_preset, embedded_text};
+use lightfall_platform::storage::{
+    EXR_SIGNATURE, PNG_SIGNATURE, PictureRecord, embedded_preset, embedded_text,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::{self, Cursor, ErrorKind, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// How much of a file is read to know what it is. Whatever is said of a picture precedes its pixels, and a
-/// preset has a few kilobytes.
+/// How much of a file is read to know what it is. The texts of a picture precede its pixels, and a preset has a
+/// few kilobytes.
 const HEAD_BYTES: u64 = 1 << 20;
 
-const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
-
-/// What a picture of another exposure may differ in, where the exposure is metered.
+/// The field that may differ where the exposure is metered.
 const METERED: &str = "picture.exposure_ev";
 
 /// The texts beside the preset that decide pixels, with words for them.
@@ -75,11 +74,7 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Found::Nothing),
         opened => opened.map_err(unreadable)?,
     };
-    let mut head = Vec::new();
-    Read::by_ref(&mut file)
-        .take(HEAD_BYTES)
-        .read_to_end(&mut head)
-        .map_err(unreadable)?;
+    let head = head_of(&mut file).map_err(unreadable)?;
     let (signature, kind) = match wanted.form {
         WantedForm::Png(_) => (PNG_SIGNATURE, "PNG"),
         WantedForm::Exr(..) => (EXR_SIGNATURE, "EXR"),
@@ -124,6 +119,13 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
         Some(difference) => Err(format!("was drawn with other options: {difference}")),
         None => Ok(Found::Whole),
     }
+}
+
+/// The beginning of a file, which tells what it is and has the texts of a picture.
+pub(super) fn head_of(file: &mut File) -> io::Result<Vec<u8>> {
+    let mut head = Vec::new();
+    file.take(HEAD_BYTES).read_to_end(&mut head)?;
+    Ok(head)
 }
 
 /// The first field in which two presets differ, in words; fields that are metered may differ. `None` if they
