@@ -71,6 +71,18 @@ pub(super) fn pictures_at_once(scene: &Scene) -> usize {
     }
 }
 
+/// The sides of a scene's cube, in the order of the layout, each with its scene. One exposure serves all of
+/// them, so each has it as one that was chosen.
+pub(super) fn sides(scene: &Scene, layout: CubeLayout) -> Vec<(CubeSide, Scene)> {
+    let side = side_of(scene);
+    let mut chosen = scene.clone();
+    chosen.picture.automatic_exposure = false;
+    let sides = layout.sides.into_iter();
+    sides
+        .map(|face| (face, chosen.cube_side(&face, side)))
+        .collect()
+}
+
 impl PictureWriter {
     /// Draws and writes the sides of a cube. One exposure, metered over the whole sky, serves them all.
     pub(super) fn write_cube(
@@ -80,19 +92,15 @@ impl PictureWriter {
         tiling: Tiling,
     ) -> Result<(), Stop> {
         let scene = exposed(scene);
-        let (layout, side) = (layout(self.format, file), side_of(&scene));
-        let mut metered = scene.clone();
-        metered.picture.automatic_exposure = false;
+        let layout = layout(self.format, file);
         if is_of_side(file) {
-            for face in &layout.sides {
-                let own = metered.cube_side(face, side);
-                self.write_large(&own, &file_of(file, face), tiling)?;
+            for (face, own) in sides(&scene, layout) {
+                self.write_large(&own, &file_of(file, &face), tiling)?;
             }
             return Ok(());
         }
         let (mut levels, mut lights, mut channels) = (Vec::new(), Vec::new(), Vec::new());
-        for face in &layout.sides {
-            let own = metered.cube_side(face, side);
+        for (_, own) in sides(&scene, layout) {
             let mut on_tile = on_tile(&mut self.progress, file);
             let mut large = LargePicture {
                 scene: &own,
@@ -110,6 +118,7 @@ impl PictureWriter {
             samples.extend(layers);
             channels.push(samples);
         }
+        let side = side_of(&scene);
         if self.format == Format::Exr {
             let light = picture::joined_light(layout, &lights);
             let samples = picture::joined_channels(layout, side, &channels);

@@ -48,12 +48,9 @@ pub(super) fn show_transparent(
         return Ok(());
     }
     if format.holds_sequence() {
-        let what = match format {
-            Format::Film => "a film",
-            _ => "an .apng",
-        };
         return Err(Stop::refused(format!(
-            "--alpha: {what} has no transparent parts; numbered .png and .exr pictures may have them"
+            "--alpha: {} has no transparent parts; numbered .png and .exr pictures may have them",
+            format.noun()
         )));
     }
     if args.scene.cells == Some(Cells::On) {
@@ -98,7 +95,11 @@ pub(super) fn channels(args: &RenderArgs, pictures: &Pictures) -> Result<Channel
         (false, Some(_)) => "--alpha",
         (false, None) => return Ok(channels),
     };
-    let scenes = || pictures.numbers().map(move |number| pictures.get(number).0);
+    let scenes = || {
+        pictures
+            .numbers()
+            .map(move |number| pictures.scene_of(number))
+    };
     if let Some(other) = scenes().find(|scene| scene.view != View::Colour) {
         return Err(Stop::refused(format!(
             "{option}: only the view \"colour\" has light to divide, and view is {:?}",

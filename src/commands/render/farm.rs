@@ -42,11 +42,9 @@ pub(super) fn check_farm(args: &RenderArgs, format: Format) -> Result<(), Stop> 
     ];
     let given = options.into_iter().find(|(_, is_given)| *is_given);
     match given {
-        Some((option, _)) if !matches!(format, Format::Png | Format::Exr) => {
-            Err(Stop::refused(format!(
-                "{option} is for pictures in files of their own: the name must end in .png or .exr"
-            )))
-        }
+        Some((option, _)) if format.holds_sequence() => Err(Stop::refused(format!(
+            "{option} is for pictures in files of their own: the name must end in .png or .exr"
+        ))),
         _ => Ok(()),
     }
 }
