@@ -8,6 +8,7 @@ mod number;
 mod paths;
 mod size;
 
+pub(super) use args::first_given;
 pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
