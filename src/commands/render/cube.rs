@@ -27,15 +27,19 @@ pub(super) fn is_of_side(file: &Path) -> bool {
     name.to_string_lossy().contains(FACE)
 }
 
+/// The file of a side.
 pub(super) fn file_of(file: &Path, side: &CubeSide) -> PathBuf {
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    file.with_file_name(name.replace(FACE, side.name))
+    with_face(file, side.name)
 }
 
 /// A file that is about all sides, of a name that may stand for those of the sides.
 pub(super) fn file_of_all(file: &Path) -> PathBuf {
+    with_face(file, "cube")
+}
+
+fn with_face(file: &Path, word: &str) -> PathBuf {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    file.with_file_name(name.replace(FACE, "cube"))
+    file.with_file_name(name.replace(FACE, word))
 }
 
 /// The layout of a file of this format.

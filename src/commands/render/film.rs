@@ -3,7 +3,7 @@
 use super::large::Tiling;
 use crate::commands::cli::{Cells, FilmArgs, RenderArgs, first_given};
 use crate::commands::stop::Stop;
-use lightfall_core::optics::lut::{HighRange, Look};
+use lightfall_core::optics::lut::Look;
 use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{
@@ -106,7 +106,7 @@ impl FilmMaker {
         scene: &Scene,
         tiling: Option<&Tiling>,
     ) -> Self {
-        let look = (codec == Codec::Hdr10).then(|| Look::High(HighRange::default()));
+        let look = codec.own_look();
         let bits = match (look, tiling) {
             (Some(_), _) => PngBits::Sixteen,
             (None, Some(tiling)) => tiling.bits,

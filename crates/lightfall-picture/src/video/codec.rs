@@ -2,6 +2,7 @@
 
 use crate::PngBits;
 use glam::UVec2;
+use lightfall_core::optics::lut::{HighRange, Look};
 use lightfall_core::words;
 use std::path::Path;
 
@@ -60,6 +61,12 @@ impl Codec {
             Self::Av1 => "libsvtav1",
             Self::Prores => "prores_ks",
         }
+    }
+
+    /// How linear light is shown with it; `None` where a film has the look of the screen.
+    #[must_use]
+    pub fn own_look(self) -> Option<Look> {
+        (self == Self::Hdr10).then(|| Look::High(HighRange::default()))
     }
 
     /// The format of pixels that the encoder takes.
