@@ -2,7 +2,7 @@
 
 use super::cli::CameraArgs;
 use super::output::print;
-use super::scene::{NO_JOURNEY, journey_at_rate, on_stage, scene};
+use super::scene::{journey_of_frames, on_stage, scene};
 use super::stop::Stop;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::camera_path::CameraPath;
@@ -28,10 +28,7 @@ pub(super) fn camera(args: &CameraArgs) -> Result<(), Stop> {
             .check()
             .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
     }
-    let journey = match args.journey.as_deref() {
-        Some(file) if file == Path::new(NO_JOURNEY) => None,
-        file => Some(journey_at_rate(file, args.fps, &scene)?),
-    };
+    let journey = journey_of_frames(args.journey.as_deref(), args.fps, &scene)?;
     let frames = args.frames;
     let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(Stop::refused)?;
     let numbers: Vec<u32> = (frames.first..=frames.last).collect();

@@ -1,6 +1,6 @@
 //! `lightfall --kiosk`: a window for the visitors of an exhibition.
 
-use super::cli::{FlyArgs, SceneArgs};
+use super::cli::{FlyArgs, SceneArgs, first_given};
 use super::console::{close_own_console, show_no_box};
 use super::fly::{open, placement};
 use super::glyphs::note_lacking;
@@ -30,24 +30,23 @@ pub fn check_options(args: &FlyArgs) -> Result<(), Stop> {
     let is_kiosk = args.kiosk.is_some();
     let faults = [
         (
-            !is_kiosk && args.idle.is_some(),
             "--idle is for --kiosk, whose window goes back to its start after so many seconds without a visitor",
+            !is_kiosk && args.idle.is_some(),
         ),
         (
-            !is_kiosk && args.volume.is_some(),
             "--volume is for --kiosk; other windows have Volume on the page Settings of the panel",
+            !is_kiosk && args.volume.is_some(),
         ),
         (
-            is_kiosk && args.journey.is_some(),
             "--journey is for a window without --kiosk, which names its journeys itself: --kiosk FILE",
+            is_kiosk && args.journey.is_some(),
         ),
         (
-            is_kiosk && args.shaders.is_some(),
             "--shaders is for work on the shaders, and --kiosk for visitors: one of the two can be used",
+            is_kiosk && args.shaders.is_some(),
         ),
     ];
-    let fault = faults.into_iter().find(|(is_given, _)| *is_given);
-    fault.map_or(Ok(()), |(_, sentence)| Err(Stop::refused(sentence)))
+    first_given(faults).map_or(Ok(()), |sentence| Err(Stop::refused(sentence)))
 }
 
 /// Shows journeys to visitors, with an addition to the window program.

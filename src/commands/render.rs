@@ -14,17 +14,18 @@ mod times;
 mod writer;
 
 use self::checks::{
-    check_files, check_memory, check_projection, check_shutter, check_space, check_times_file,
+    check_files, check_format, check_memory, check_projection, check_shutter, check_space,
+    check_times_file, check_transparent,
 };
 use self::cube::{drawn_at_once, files_of, is_of_side};
-use self::exr_options::{channels, exr_form, exr_option, show_transparent};
+use self::exr_options::{channels, exr_form, show_transparent};
 use self::farm::{check_farm, is_run, note_frame, nothing_to_draw, numbers, open_manifest};
 pub(super) use self::film::codec_of;
 use self::film::{FilmMaker, codec};
-use self::large::tiling;
+use self::large::{Tiling, tiling};
 use self::looped::{loop_sequence, note_loop};
+use self::notes::note_all;
 pub use self::notes::still_drawing;
-use self::notes::{note_cells, note_darkness, note_unseen_stars, note_unused_options};
 use self::pictures::{Pictures, drawn_scene, sequence};
 use self::resume::left_to_draw;
 use self::times::{TIMED_FRAMES, print_times, write_times};
@@ -33,13 +34,13 @@ use super::camera;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
-use super::scene::{note_missing_stars, on_stage, scene, stars};
+use super::scene::{on_stage, scene, stars};
 use super::stop::Stop;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::scene::{Projection, Scene, resized};
 use lightfall_picture as picture;
-use lightfall_picture::{Format, HeadlessOptions, Studio};
+use lightfall_picture::{Codec, Ffmpeg, Format, HeadlessOptions, Manifest, Studio};
 use lightfall_platform::log::say;
 use lightfall_platform::termination;
 use std::time::Instant;
@@ -50,58 +51,11 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         scene: on_stage(&args.scene, args.journey.as_deref())?,
         ..args.clone()
     };
-    let mut scene = scene(&args.scene)?;
-    let sequence = match (args.loop_seconds, &args.frames) {
-        (Some(seconds), _) => Some(loop_sequence(args, seconds, &mut scene)?),
-        (None, Some(frames)) => Some(sequence(args, frames.ends(), &scene)?),
-        (None, None) => None,
-    };
-    let numbers = numbers(args, sequence.as_ref());
-    let format = check_files(&args.out, sequence.as_ref(), &numbers)?;
-    check_farm(args, format)?;
-    args.camera
-        .iter()
-        .try_for_each(|file| camera::check_file(file))?;
-    let mut scene = with_size(args, scene);
-    scene
-        .check()
-        .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
-    check_projection(args, &scene)?;
-    if format.holds_sequence() && sequence.is_none() {
-        let what = match format {
-            Format::Film => "a film",
-            _ => "an .apng",
-        };
-        return Err(Stop::refused(format!(
-            "-o: {what} holds the frames of a sequence, so --frames A..B must name them"
-        )));
-    }
-    if let (false, Some(option)) = (format == Format::Exr, exr_option(args)) {
-        return Err(Stop::refused(format!(
-            "{option} is for pictures of linear light: the file's name must end in .exr"
-        )));
-    }
-    let codec = codec(args, format, &mut scene)?;
-    if let Some(Some(file)) = &args.timings {
-        check_times_file(file, &args.out)?;
-    }
-    show_transparent(args, format, &mut scene)?;
-    let tiling = tiling(args, format, &mut scene)?;
-    check_shutter(args, &scene, tiling.as_ref())?;
-    if args.alpha.is_some() && format == Format::Png && tiling.is_some() {
-        return Err(Stop::refused(
-            "--alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have them",
-        ));
-    }
-    let mut pictures = Pictures {
-        format,
-        scene,
-        file: args.out.clone(),
-        sequence,
-        shutter: args.shutter,
-        numbers,
-    };
-    pictures.check()?;
+    let Asked {
+        mut pictures,
+        tiling,
+        codec,
+    } = asked(args)?;
     let channels = channels(args, &pictures)?;
     let form = exr_form(args);
     let stars = stars(&args.scene)?;
@@ -119,58 +73,25 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(tiling) = &tiling {
         check_space(&pictures, &channels, tiling)?;
     }
-    if !args.camera.is_empty() {
-        // Of all frames, whichever of them this run draws.
-        let numbers = args
-            .frames
-            .as_ref()
-            .map_or_else(Vec::new, |list| list.numbers().to_vec());
-        let path = camera::path_of(&numbers, args.fps, &pictures.scene, |n| pictures.get(n).0)?;
-        let mut files = args.camera.iter();
-        files.try_for_each(|file| camera::write_path(file, &path))?;
-    }
+    write_camera_paths(args, &pictures)?;
 
     let film = codec.map(|codec| FilmMaker::new(args, codec, &pictures.scene, tiling.as_ref()));
 
-    let size = pictures.scene.picture.size();
-    if tiling.is_none()
-        && format != Format::Exr
-        && args.size.is_some()
-        && args.scene.cells.is_none()
-    {
-        note_cells(&pictures.scene.shown_picture());
-    }
-    note_unseen_stars(args, &pictures.scene);
-    note_darkness(&pictures.scene);
-    let suspects = note_unused_options(args, &pictures);
-    note_missing_stars(&args.scene, &pictures.scene, stars);
+    let suspects = note_all(args, &pictures, tiling.as_ref(), stars);
     let options = HeadlessOptions {
         timed: args.timings.is_some(),
-        light: format == Format::Exr
+        light: pictures.format == Format::Exr
             || args.shutter.is_some()
             || args.alpha.is_some()
             || film.as_ref().is_some_and(FilmMaker::is_of_light),
         stars,
         ..HeadlessOptions::default()
     };
-    let (first_scene, _) = pictures.get(pictures.first());
-    let first_scene = drawn_at_once(&first_scene);
-    let mut studio = match &tiling {
-        Some(tiling) => {
-            let first_scene = picture::exposed(&first_scene)?;
-            let options = tiling.options(options);
-            // The levels of a file do not come from the image that a window would show.
-            Studio::with_options(&first_scene, UVec2::ONE, options)?
-        }
-        None => {
-            let size = first_scene.picture.size();
-            Studio::with_options(&drawn_scene(&first_scene, format), size, options)?
-        }
-    };
+    let mut studio = open_studio(&pictures, tiling.as_ref(), options)?;
     studio.show_layers(channels.drawn_layers(form));
     let mut writer = PictureWriter {
         studio,
-        format,
+        format: pictures.format,
         tiling,
         progress: tiling.map(|tiling| tiling.progress(&pictures)),
         channels,
@@ -183,50 +104,11 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         frames: pictures.numbers().len() as u32,
         fps: pictures.sequence.as_ref().map(|_| args.fps),
     };
+    let size = pictures.scene.picture.size();
     let _patience = (pictures.sequence.is_none() && tiling.is_none())
         .then(|| LongWork::new(still_drawing(size, writer.studio.adapter_kind())));
-    let bar = if pictures.sequence.is_some() && tiling.is_none() {
-        progress(pictures.numbers().len())
-    } else {
-        ProgressBar::hidden()
-    };
-    for number in pictures.numbers() {
-        let (scene, file) = pictures.get(number);
-        bar.set_message(file.display().to_string());
-        writer.moments = pictures.moments(number);
-        let began = Instant::now();
-        writer.write(&scene, &file)?;
-        if let Some(manifest) = &mut manifest {
-            let (files, time) = (files_of(&file), began.elapsed());
-            note_frame(manifest, (number, &files), time, &writer.studio)?;
-        }
-        if !format.holds_sequence() {
-            let name = || {
-                let mut files = files_of(&file).into_iter();
-                files.try_for_each(|file| print(&format!("{}\n", file.display())))
-            };
-            match &writer.progress {
-                Some(progress) => progress.without_bar(name)?,
-                None => bar.suspend(name)?,
-            }
-        }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    if let Some(progress) = writer.progress.take() {
-        progress.finish();
-    }
-    if let Some(animation) = writer.animation.take() {
-        animation.finish()?;
-        print(&format!("{}\n", args.out.display()))?;
-    }
-    if let Some(film) = writer.film.take() {
-        film.finish()?;
-        print(&format!("{}\n", args.out.display()))?;
-        if args.loop_seconds.is_some() {
-            note_loop(&args.out);
-        }
-    }
+    draw_all(&pictures, &mut writer, manifest.as_mut())?;
+    complete_sequence(args, &mut writer)?;
     if let Some(file) = &args.timings {
         let times = writer.studio.time(TIMED_FRAMES)?;
         print_times(&times);
@@ -245,7 +127,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         }
     }
     if let Some(sequence) = &pictures.sequence
-        && !format.holds_sequence()
+        && !pictures.format.holds_sequence()
         && !is_of_side(&args.out)
         && is_run(args)
     {
@@ -253,6 +135,146 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             "lightfall: a video of them: {}",
             sequence.ffmpeg(size.x, size.y)
         ));
+    }
+    Ok(())
+}
+
+/// What a command line asks for.
+struct Asked {
+    pictures: Pictures,
+    /// How the pictures are drawn in tiles; `None` if they are drawn at once.
+    tiling: Option<Tiling>,
+    /// The codec of a film, and ffmpeg, which has it.
+    codec: Option<(Codec, Ffmpeg)>,
+}
+
+/// Reads what the options ask for, and checks before the first picture that all of them can be drawn and
+/// written.
+fn asked(args: &RenderArgs) -> Result<Asked, Stop> {
+    let mut scene = scene(&args.scene)?;
+    let sequence = match (args.loop_seconds, &args.frames) {
+        (Some(seconds), _) => Some(loop_sequence(args, seconds, &mut scene)?),
+        (None, Some(frames)) => Some(sequence(args, frames.ends(), &scene)?),
+        (None, None) => None,
+    };
+    let numbers = numbers(args, sequence.as_ref());
+    let format = check_files(&args.out, sequence.as_ref(), &numbers)?;
+    check_farm(args, format)?;
+    args.camera
+        .iter()
+        .try_for_each(|file| camera::check_file(file))?;
+    let mut scene = with_size(args, scene);
+    scene
+        .check()
+        .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))?;
+    check_projection(args, format, &scene)?;
+    check_format(args, format, sequence.as_ref())?;
+    let codec = codec(args, format, &mut scene)?;
+    if let Some(Some(file)) = &args.timings {
+        check_times_file(file, &args.out)?;
+    }
+    show_transparent(args, format, &mut scene)?;
+    let of_film = codec.as_ref().map(|(codec, _)| *codec);
+    let tiling = tiling(args, (format, of_film), &mut scene)?;
+    check_shutter(args, &scene, tiling.as_ref())?;
+    check_transparent(args, format, tiling.as_ref())?;
+    let pictures = Pictures {
+        format,
+        scene,
+        file: args.out.clone(),
+        sequence,
+        shutter: args.shutter,
+        numbers,
+    };
+    pictures.check()?;
+    Ok(Asked {
+        pictures,
+        tiling,
+        codec,
+    })
+}
+
+/// Writes the camera's path to the files that are named: that of all frames, whichever of them this run draws.
+fn write_camera_paths(args: &RenderArgs, pictures: &Pictures) -> Result<(), Stop> {
+    let Some(frames) = args.frames.as_ref().filter(|_| !args.camera.is_empty()) else {
+        return Ok(());
+    };
+    let scene_of = |number| pictures.scene_of(number);
+    let path = camera::path_of(frames.numbers(), args.fps, &pictures.scene, scene_of)?;
+    let mut files = args.camera.iter();
+    files.try_for_each(|file| camera::write_path(file, &path))
+}
+
+/// Opens what draws the pictures, with the first one of them.
+fn open_studio(
+    pictures: &Pictures,
+    tiling: Option<&Tiling>,
+    options: HeadlessOptions,
+) -> Result<Studio, Stop> {
+    let first = pictures.scene_of(pictures.first());
+    let Some(tiling) = tiling else {
+        let drawn = drawn_scene(&first, pictures.format);
+        return Ok(Studio::with_options(&drawn, first.picture.size(), options)?);
+    };
+    // The sides of a cube have the exposure of all of them.
+    let drawn = drawn_at_once(&picture::exposed(&first)?);
+    // The levels of a file do not come from the image that a window would show.
+    let options = tiling.options(options);
+    Ok(Studio::with_options(&drawn, UVec2::ONE, options)?)
+}
+
+/// Draws and writes every picture, and says which files are written.
+fn draw_all(
+    pictures: &Pictures,
+    writer: &mut PictureWriter,
+    mut manifest: Option<&mut Manifest>,
+) -> Result<(), Stop> {
+    let bar = if pictures.sequence.is_some() && writer.tiling.is_none() {
+        progress(pictures.numbers().len())
+    } else {
+        ProgressBar::hidden()
+    };
+    for number in pictures.numbers() {
+        let (scene, file) = (pictures.scene_of(number), pictures.file_of(number));
+        bar.set_message(file.display().to_string());
+        writer.moments = pictures.moments(number);
+        let began = Instant::now();
+        writer.write(&scene, &file)?;
+        let files = files_of(&file);
+        if let Some(manifest) = &mut manifest {
+            note_frame(manifest, (number, &files), began.elapsed(), &writer.studio)?;
+        }
+        if !pictures.format.holds_sequence() {
+            let name = || {
+                let mut files = files.iter();
+                files.try_for_each(|file| print(&format!("{}\n", file.display())))
+            };
+            match &writer.progress {
+                Some(progress) => progress.without_bar(name)?,
+                None => bar.suspend(name)?,
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if let Some(progress) = writer.progress.take() {
+        progress.finish();
+    }
+    Ok(())
+}
+
+/// Completes the file that holds all frames of a sequence, if there is one.
+fn complete_sequence(args: &RenderArgs, writer: &mut PictureWriter) -> Result<(), Stop> {
+    if let Some(animation) = writer.animation.take() {
+        animation.finish()?;
+        print(&format!("{}\n", args.out.display()))?;
+    }
+    if let Some(film) = writer.film.take() {
+        film.finish()?;
+        print(&format!("{}\n", args.out.display()))?;
+        if args.loop_seconds.is_some() {
+            note_loop(&args.out);
+        }
     }
     Ok(())
 }

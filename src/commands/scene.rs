@@ -86,18 +86,20 @@ pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
     }
 }
 
-/// As [`journey`], with so many frames a second in a camera path that counts frames.
+/// As [`journey`], with so many frames a second in a camera path that counts frames. `None` if the file is the
+/// word for no journey.
 ///
 /// # Errors
 /// As those of [`journey`].
-pub(super) fn journey_at_rate(
+pub(super) fn journey_of_frames(
     file: Option<&Path>,
     fps: f64,
     scene: &Scene,
-) -> Result<Journey, Stop> {
+) -> Result<Option<Journey>, Stop> {
     match file {
-        Some(file) => journey_in(file, storage::journey_at_rate(file, fps)?, scene),
-        None => journey(None, scene),
+        Some(file) if file == Path::new(NO_JOURNEY) => Ok(None),
+        Some(file) => journey_in(file, storage::journey_at_rate(file, fps)?, scene).map(Some),
+        None => journey(None, scene).map(Some),
     }
 }
 

@@ -6,7 +6,7 @@ use super::progress::progress;
 use super::render::codec_of;
 use super::stop::Stop;
 use glam::UVec2;
-use lightfall_core::optics::lut::{HighRange, Look};
+use lightfall_core::optics::lut::Look;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Projection};
 use lightfall_picture as picture;
 use lightfall_picture::{Codec, Container, Ffmpeg, Film, FilmForm, Format, PngBits};
@@ -104,10 +104,7 @@ fn is_of_whole_sky(file: &Path, size: UVec2) -> bool {
 /// The levels of an .exr as its preset develops it.
 fn developed(file: &Path, codec: Codec) -> Result<Vec<u16>, Stop> {
     let scene = storage::read_scene(file, &[])?;
-    let look = match codec {
-        Codec::Hdr10 => Look::High(HighRange::default()),
-        _ => Look::of(&scene),
-    };
+    let look = codec.own_look().unwrap_or_else(|| Look::of(&scene));
     let frame = picture::read_light_frame(file).map_err(|fault| of_file(file, &fault))?;
     Ok(picture::levels_of_light(
         &frame.rgb,

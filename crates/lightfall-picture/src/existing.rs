@@ -5,20 +5,19 @@ use super::{Channels, ExrForm, PngBits};
 use exr::meta::MetaData;
 use exr::meta::header::Header;
 use glam::UVec2;
-use lightfall_platform::storage::{PictureRecord, embedded_preset, embedded_text};
+use lightfall_platform::storage::{
+    EXR_SIGNATURE, PNG_SIGNATURE, PictureRecord, embedded_preset, embedded_text,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::{self, Cursor, ErrorKind, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// How much of a file is read to know what it is. Whatever is said of a picture precedes its pixels, and a
-/// preset has a few kilobytes.
+/// How much of a file is read to know what it is. The texts of a picture precede its pixels, and a preset has a
+/// few kilobytes.
 const HEAD_BYTES: u64 = 1 << 20;
 
-const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
-
-/// What a picture of another exposure may differ in, where the exposure is metered.
+/// The field that may differ where the exposure is metered.
 const METERED: &str = "picture.exposure_ev";
 
 /// The texts beside the preset that decide pixels, with words for them.
@@ -75,11 +74,7 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Found::Nothing),
         opened => opened.map_err(unreadable)?,
     };
-    let mut head = Vec::new();
-    Read::by_ref(&mut file)
-        .take(HEAD_BYTES)
-        .read_to_end(&mut head)
-        .map_err(unreadable)?;
+    let head = head_of(&mut file).map_err(unreadable)?;
     let (signature, kind) = match wanted.form {
         WantedForm::Png(_) => (PNG_SIGNATURE, "PNG"),
         WantedForm::Exr(..) => (EXR_SIGNATURE, "EXR"),
@@ -90,16 +85,16 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
     if !head.starts_with(signature) {
         return Err(format!("is not a picture in the format {kind}"));
     }
-    let fault = match wanted.form {
-        WantedForm::Png(bits) => fault_of_png(&head, bits, wanted.size),
-        WantedForm::Exr(channels, form) => fault_of_exr(&head, (channels, form), wanted.size),
+    let checked = match wanted.form {
+        WantedForm::Png(bits) => check_png(&head, bits, wanted.size),
+        WantedForm::Exr(channels, form) => check_exr(&head, (channels, form), wanted.size),
     };
     let is_whole = match wanted.form {
         WantedForm::Png(_) => png_is_whole(&mut file),
         WantedForm::Exr(..) => exr_is_whole(&mut file, &head),
     };
-    match (fault, is_whole.map_err(unreadable)?) {
-        (Some(fault), true) => fault.map_or(Ok(()), Err)?,
+    match (checked, is_whole.map_err(unreadable)?) {
+        (Some(checked), true) => checked?,
         // The header cannot be read, or the rest is missing.
         _ => return Ok(Found::Partial),
     }
@@ -124,6 +119,13 @@ pub fn find_picture(path: &Path, wanted: &Wanted) -> Result<Found, String> {
         Some(difference) => Err(format!("was drawn with other options: {difference}")),
         None => Ok(Found::Whole),
     }
+}
+
+/// The beginning of a file, which tells what it is and has the texts of a picture.
+pub(super) fn head_of(file: &mut File) -> io::Result<Vec<u8>> {
+    let mut head = Vec::new();
+    file.take(HEAD_BYTES).read_to_end(&mut head)?;
+    Ok(head)
 }
 
 /// The first field in which two presets differ, in words; fields that are metered may differ. `None` if they
@@ -165,26 +167,28 @@ pub(super) fn fields(preset: &str) -> BTreeMap<String, String> {
     fields
 }
 
-/// What is wrong with a PNG's size or form, and `Some(None)` if nothing is. `None` if its beginning cannot be
-/// read.
-fn fault_of_png(head: &[u8], bits: PngBits, wanted: UVec2) -> Option<Option<String>> {
+/// Checks the size and the form of a PNG. `None` if its beginning cannot be read.
+fn check_png(head: &[u8], bits: PngBits, wanted: UVec2) -> Option<Result<(), String>> {
     let reader = png::Decoder::new(Cursor::new(head)).read_info().ok()?;
     let info = reader.info();
-    let depth = info.bit_depth as u8;
-    let fault = other_size(UVec2::new(info.width, info.height), wanted).or_else(|| {
-        let own = bits.word();
-        (depth.to_string() != own)
-            .then(|| format!("has {depth} bits per channel, and {own} are asked for now"))
+    let (depth, own) = (info.bit_depth as u8, bits.word());
+    let checked = check_size(UVec2::new(info.width, info.height), wanted).and_then(|()| {
+        if depth.to_string() != own {
+            return Err(format!(
+                "has {depth} bits per channel, and {own} are asked for now"
+            ));
+        }
+        Ok(())
     });
-    Some(fault)
+    Some(checked)
 }
 
 /// The same for an EXR.
-fn fault_of_exr(
+fn check_exr(
     head: &[u8],
     (channels, form): (&Channels, ExrForm),
     wanted: UVec2,
-) -> Option<Option<String>> {
+) -> Option<Result<(), String>> {
     let header = exr_header_of(head)?;
     let size = UVec2::new(header.layer_size.0 as u32, header.layer_size.1 as u32);
     let there: BTreeSet<String> = header
@@ -199,28 +203,31 @@ fn fault_of_exr(
         .map(|channel| form.names.of(channel).to_owned())
         .chain(light)
         .collect();
-    let fault = other_size(size, wanted).or_else(|| {
+    let checked = check_size(size, wanted).and_then(|()| {
         if there != here {
             let (more, less) = (there.difference(&here), here.difference(&there));
             let names: Vec<&str> = more.chain(less).map(String::as_str).collect();
-            return Some(format!(
+            return Err(format!(
                 "has other channels than are asked for now: the difference is {}",
                 names.join(", ")
             ));
         }
-        let is_other = header.compression != form.compression.method();
-        is_other.then(|| "has another compression than is asked for now".into())
+        if header.compression != form.compression.method() {
+            return Err("has another compression than is asked for now".into());
+        }
+        Ok(())
     });
-    Some(fault)
+    Some(checked)
 }
 
-fn other_size(there: UVec2, here: UVec2) -> Option<String> {
-    (there != here).then(|| {
-        format!(
+fn check_size(there: UVec2, here: UVec2) -> Result<(), String> {
+    if there != here {
+        return Err(format!(
             "has {} x {} pixels, and {} x {} are asked for now",
             there.x, there.y, here.x, here.y
-        )
-    })
+        ));
+    }
+    Ok(())
 }
 
 /// Whether the chunks of a PNG follow one another to its last one.

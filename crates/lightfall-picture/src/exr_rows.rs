@@ -65,7 +65,7 @@ pub(super) fn write_exr_rows(
         |meta, chunks| {
             let header = &meta.headers[0];
             let drawn = draw(&mut |light, samples| {
-                // The rays of a strip take as long as its picture, which asks for itself.
+                // Tracing the rays of a strip takes as long as drawing it, which checks this itself.
                 check_not_asked_to_end()?;
                 let in_block = header.compression.scan_lines_per_block();
                 let rows = picture.with_rows((blocks * in_block) as u32, light, samples);

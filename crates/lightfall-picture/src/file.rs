@@ -130,6 +130,17 @@ impl Format {
     pub fn holds_sequence(self) -> bool {
         matches!(self, Self::Apng | Self::Film)
     }
+
+    /// A file of this format, in a sentence.
+    #[must_use]
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Png => "a .png",
+            Self::Apng => "an .apng",
+            Self::Exr => "an .exr",
+            Self::Film => "a film",
+        }
+    }
 }
 
 /// Checks that a picture can be written to `path`, before any work is done for it, and returns its

@@ -9,7 +9,7 @@ const MAX_FRAMES: u32 = 130_000;
 /// Maximum number of a frame: nine digits.
 const MAX_NUMBER: u32 = 999_999_999;
 
-/// What is said of a list that is none.
+/// The error of a text that is no list of frames.
 const ALLOWED: &str = "frames are A..B, such as 0..149: whole numbers, A not above B, both included; a list such as \
                        0..9,20,30..300:10 has several of them, and :10 takes every tenth";
 
@@ -34,12 +34,19 @@ impl FromStr for Frames {
 }
 
 impl Frames {
+    /// So many frames, the first of which has the number 0.
+    ///
+    /// # Errors
+    /// They are more than one run draws.
+    pub fn counted(count: u32) -> Result<Self, String> {
+        check_count(count.into())?;
+        Ok(Self {
+            first: 0,
+            last: count.saturating_sub(1),
+        })
+    }
+
     fn of_any_length(text: &str) -> Result<Self, String> {
-        let number = |text: &str| {
-            let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            // More digits than the type holds are more than enough, too.
-            is_number.then(|| text.parse::<u32>().unwrap_or(u32::MAX))
-        };
         let ends = text.split_once("..").or_else(|| text.split_once('-'));
         let (first, last) = ends.unwrap_or((text, text));
         match (number(first), number(last)) {
@@ -50,6 +57,12 @@ impl Frames {
             _ => Err(ALLOWED.into()),
         }
     }
+}
+
+/// A number in decimal digits alone; `u32::MAX` in place of a larger one.
+fn number(text: &str) -> Option<u32> {
+    let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then(|| text.parse().unwrap_or(u32::MAX))
 }
 
 fn check_count(count: u64) -> Result<(), String> {
@@ -89,12 +102,10 @@ impl FromStr for FrameList {
 }
 
 fn read_step(text: &str) -> Result<u32, String> {
-    let is_number = text.bytes().all(|byte| byte.is_ascii_digit());
-    let step: Option<u32> = text.parse().ok();
-    step.filter(|step| is_number && (1..=MAX_NUMBER).contains(step))
-        .ok_or_else(|| {
-            format!("the step of frames is a whole number from 1 to {MAX_NUMBER}, as in 0..300:10")
-        })
+    let step = number(text).filter(|step| (1..=MAX_NUMBER).contains(step));
+    step.ok_or_else(|| {
+        format!("the step of frames is a whole number from 1 to {MAX_NUMBER}, as in 0..300:10")
+    })
 }
 
 impl FrameList {
@@ -140,10 +151,6 @@ impl FromStr for Shard {
 
     /// Reads `K/N`.
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| {
-            let is_number = text.bytes().all(|byte| byte.is_ascii_digit());
-            is_number.then(|| text.parse::<u32>().ok()).flatten()
-        };
         let (first, second) = text.split_once('/').unwrap_or_default();
         match (number(first), number(second)) {
             (Some(number), Some(count)) if (1..=count).contains(&number) && count <= MAX_FRAMES => {

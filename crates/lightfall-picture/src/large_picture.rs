@@ -70,7 +70,7 @@ impl LargePicture<'_> {
         &mut self,
         studio: &mut Studio,
         path: &Path,
-        take: &mut dyn FnMut(&[u16]) -> Result<(), PictureError>,
+        take: TakeRows,
     ) -> Result<(), PictureError> {
         let mut light = None;
         if png_sweeps(self.scene, &self.tiles) > 1 {

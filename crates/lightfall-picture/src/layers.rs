@@ -5,7 +5,7 @@ use super::channels::Value;
 use super::exr_form::{ExrForm, Transparent};
 use super::{Channel, Channels, PictureError, Studio};
 use exr::prelude::f16;
-use glam::DVec2;
+use glam::{DVec2, UVec2};
 use lightfall_core::gpu::Layers;
 use lightfall_core::scene::{Part, Scene, SkyMode};
 
@@ -187,15 +187,11 @@ impl Studio {
     fn layer_pixels(&mut self, scene: &Scene, layers: Layers) -> Result<Pixels, PictureError> {
         self.show_layers(Some(layers));
         let light = self.light()?;
-        let whole = scene.picture.size().as_dvec2();
-        let origin = self.shown_part(scene).origin.as_dvec2();
-        let columns = light.size.x.max(1) as usize;
+        let rows = (self.shown_part(scene).origin, light.size.x);
         let pixels = light.rgba.iter().enumerate().map(|(at, pixel)| {
             let pixel = pixel.map(|bits| f16::from_bits(bits).to_f32());
-            let within = DVec2::new((at % columns) as f64, (at / columns) as f64);
-            let coverage = scene.camera.coverage(origin + within + 0.5, whole) as f32;
             let [red, green, blue, share] = pixel;
-            [red, green, blue, coverage * share]
+            [red, green, blue, coverage(scene, rows, at) as f32 * share]
         });
         Ok(pixels.collect())
     }
@@ -204,4 +200,15 @@ impl Studio {
     fn shown_part(&self, scene: &Scene) -> Part {
         self.part.unwrap_or(Part::whole(scene.picture.size()))
     }
+}
+
+/// The share of a pixel that lies within the circle of a fisheye picture. `at` counts the pixels along rows of
+/// so many columns, which begin at `origin` in the whole picture.
+pub(super) fn coverage(scene: &Scene, (origin, columns): (UVec2, u32), at: usize) -> f64 {
+    let columns = columns.max(1) as usize;
+    let within = DVec2::new((at % columns) as f64, (at / columns) as f64);
+    let place = origin.as_dvec2() + within + 0.5;
+    scene
+        .camera
+        .coverage(place, scene.picture.size().as_dvec2())
 }

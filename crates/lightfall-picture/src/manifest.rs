@@ -2,7 +2,7 @@
 //! file. A manifest is a text with a JSON object in each line.
 
 use super::Studio;
-use super::existing::fields;
+use super::existing::{fields, head_of};
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_platform::storage::{
     TextError, WriteError, embedded_preset, embedded_text, hash_of_file, hash_of_text, read_text,
@@ -11,14 +11,11 @@ use lightfall_platform::storage::{
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// The longest manifest that is read: half a kilobyte for each file of the longest sequence of cubes.
 const MAX_BYTES: u64 = 1 << 29;
-
-/// How much of a picture is read for its texts, which precede its pixels.
-const HEAD_BYTES: u64 = 1 << 20;
 
 /// Digits of a hash.
 const HASH_DIGITS: usize = 64;
@@ -89,8 +86,7 @@ impl ManifestRow {
     /// # Errors
     /// The file cannot be read.
     pub fn of_file(frame: u32, path: &Path) -> io::Result<Self> {
-        let mut head = Vec::new();
-        File::open(path)?.take(HEAD_BYTES).read_to_end(&mut head)?;
+        let head = head_of(&mut File::open(path)?)?;
         let preset = embedded_preset(&head).unwrap_or_default();
         let (sha256, bytes) = hash_of_file(path)?;
         let exposure = fields(&preset).remove("picture.exposure_ev");

@@ -15,7 +15,7 @@ const MAX_DIGITS: usize = 9;
 /// a sentence.
 pub fn numbered_pictures(pattern: &Path) -> Result<Vec<PathBuf>, String> {
     let name = pattern.display();
-    if !matches!(Format::of(pattern), Ok(Format::Png | Format::Exr)) {
+    if Format::of(pattern).map_or(true, Format::holds_sequence) {
         return Err(format!(
             "{name}: the pictures of a film are numbered .png or .exr files, such as flight-####.png"
         ));

@@ -3,10 +3,11 @@
 
 use super::exr_form::{ChannelNames, ExrForm, MissingValues, Transparent};
 use super::file::PictureError;
+use super::layers::coverage;
 use super::{Channels, exr_header};
 use exr::meta::attribute::{Chromaticities, EnvironmentMap};
 use exr::prelude::*;
-use glam::{DVec2, UVec2};
+use glam::UVec2;
 use lightfall_core::optics::photometry::DISK_HDR_SCALE;
 use lightfall_core::scene::{Projection, Scene};
 use lightfall_platform::storage::{PictureRecord, header_text, preset_pieces, write_atomically};
@@ -141,22 +142,17 @@ impl Linear<'_> {
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
-    let columns = picture.light.size.x as usize;
-    let (camera, whole) = (picture.scene.camera, picture.scene.picture.size());
-    let coverage = |number: usize| {
-        let pixel = DVec2::new((number % columns) as f64, (number / columns) as f64);
-        let place = pixel + 0.5 + DVec2::new(0.0, picture.first_row.into());
-        camera.coverage(place, whole.as_dvec2())
-    };
+    let rows = (UVec2::new(0, picture.first_row), picture.light.size.x);
     let light = ["R", "G", "B", "A"]
         .into_iter()
         .enumerate()
         .map(|(i, name)| {
             let value = |(number, pixel): (usize, &[u16; 4])| {
                 let own = f16::from_bits(pixel[i]);
+                let share = || coverage(picture.scene, rows, number);
                 match (name, picture.form.transparent) {
-                    ("A", None) => f16::from_f64(coverage(number)),
-                    ("A", Some(_)) => f16::from_f64(coverage(number) * own.to_f64()),
+                    ("A", None) => f16::from_f64(share()),
+                    ("A", Some(_)) => f16::from_f64(share() * own.to_f64()),
                     _ => own,
                 }
             };

@@ -1,7 +1,7 @@
 //! Sequences: journeys, or a disk that moves, as numbered pictures.
 
 use super::Frames;
-use super::video::{filter_value, quoted};
+use super::video::{Codec, EVEN_SIDES, filter_value, quoted};
 use lightfall_core::numbers::number_with_comma;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
@@ -159,7 +159,7 @@ impl Sequence {
         let input = Path::new(&name(&folder)).join(numbered);
         let output = self.beside(".mp4");
         // Common video formats need even sides.
-        let even = (width % 2 + height % 2 > 0).then_some("pad=ceil(iw/2)*2:ceil(ih/2)*2");
+        let even = (width % 2 + height % 2 > 0).then_some(EVEN_SIDES);
         let input = quoted(&input.display().to_string());
         let frames = format!(
             "-framerate {} -start_number {} -i {input}",
@@ -175,8 +175,9 @@ impl Sequence {
         // filter would cut light off at 1.
         let table = self.beside(".csp").display().to_string();
         let lookup = format!("lut3d={}:interp=tetrahedral", filter_value(&table));
+        let colours = Codec::H264.colour_filters();
         let filters = [&*lookup, "format=gbrp16le"].into_iter();
-        let filters: Vec<_> = filters.chain(even).chain([SRGB_TO_BT709]).collect();
+        let filters: Vec<_> = filters.chain(even).chain([&*colours]).collect();
         format!(
             "lightfall lut --preset {} -o {} && ffmpeg -gamma 4 {frames} -vf '{}' -c:v libx264 -crf 16 {output}",
             quoted(&self.file(self.frames.first).display().to_string()),
@@ -186,11 +187,7 @@ impl Sequence {
     }
 }
 
-/// The filter to the matrix and range of HD video; without it ffmpeg takes those of old television.
+/// The filter to the matrix and the range of HD video. Without it, ffmpeg takes those of old television.
 const BT709: &str = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
-/// What tells players so.
+/// The tags by which players know this matrix and range.
 const TAGS: &str = "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
-
-/// The same from levels of more than eight bits, which are rounded with noise.
-const SRGB_TO_BT709: &str = "setparams=color_primaries=bt709:color_trc=bt709:colorspace=gbr:range=pc,\
-                             zscale=m=709:r=limited:d=error_diffusion,format=yuv420p";

@@ -2,9 +2,10 @@
 
 use super::channels::Channels;
 use super::file::PictureError;
+use super::layers::coverage;
 use super::{Captured, Studio};
 use exr::prelude::f16;
-use glam::{DVec2, UVec2};
+use glam::UVec2;
 use lightfall_core::scene::Scene;
 use lightfall_platform::storage::{PictureRecord, set_up_png, write_atomically};
 use std::path::Path;
@@ -62,13 +63,9 @@ impl Studio {
 
 /// The opaque share of each pixel of the layers whose light this is.
 fn opaque_shares(light: &Captured, scene: &Scene) -> Vec<f32> {
-    let (columns, whole) = (
-        light.size.x.max(1) as usize,
-        scene.picture.size().as_dvec2(),
-    );
+    let rows = (UVec2::ZERO, light.size.x);
     let share = |(at, pixel): (usize, &[u16; 4])| {
-        let place = DVec2::new((at % columns) as f64, (at / columns) as f64) + 0.5;
-        scene.camera.coverage(place, whole) as f32 * f16::from_bits(pixel[3]).to_f32()
+        coverage(scene, rows, at) as f32 * f16::from_bits(pixel[3]).to_f32()
     };
     light.rgba.iter().enumerate().map(share).collect()
 }

@@ -139,9 +139,16 @@ impl FlyArgs {
             ("--idle", self.idle.is_some()),
             ("--volume", self.volume.is_some()),
         ];
-        let given = options.into_iter().find(|(_, is_given)| *is_given);
-        given.map(|(option, _)| option)
+        first_given(options)
     }
+}
+
+/// The first of several options that is given.
+pub(in crate::commands) fn first_given<T>(
+    options: impl IntoIterator<Item = (T, bool)>,
+) -> Option<T> {
+    let given = options.into_iter().find(|(_, is_given)| *is_given);
+    given.map(|(option, _)| option)
 }
 
 /// The arguments of `lightfall render`.

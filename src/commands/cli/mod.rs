@@ -8,6 +8,7 @@ mod number;
 mod paths;
 mod size;
 
+pub(super) use args::first_given;
 pub use args::{
     Cells, Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
 };
@@ -185,35 +186,34 @@ fn with_options(before: FlyArgs, mut command: Command) -> Result<Command, clap::
             "{option} is for flying, without a command"
         )));
     }
-    let (scene, mut journey) = (before.scene, before.journey);
-    if let Command::Camera(camera) = &mut command {
-        if journey.is_some() && camera.journey.is_some() {
-            return Err(conflict(
-                "--journey may be given once: before the command or after it",
-            ));
-        }
-        camera.journey = journey.take().or(camera.journey.take());
-    }
-    if let Command::Render(render) = &mut command {
-        if journey.is_some() && render.journey.is_some() {
-            return Err(conflict(
-                "--journey may be given once: before the command or after it",
-            ));
-        }
-        journey = journey.or(render.journey.take());
-        if render.frames.is_some() || render.loop_seconds.is_some() {
-            render.journey = journey.take();
-        }
-    }
-    if journey.is_some() && matches!(command, Command::Render(_)) {
+    let (scene, journey) = (before.scene, before.journey);
+    let own = match &mut command {
+        Command::Camera(camera) => camera.journey.take(),
+        Command::Render(render) => render.journey.take(),
+        _ => None,
+    };
+    if journey.is_some() && own.is_some() {
         return Err(conflict(
-            "--journey needs --frames A..B, the numbers of the pictures to draw",
+            "--journey may be given once: before the command or after it",
         ));
     }
-    if journey.is_some() {
-        return Err(conflict(
-            "--journey is for flying, without a command, for `render` with --frames, and for `camera`",
-        ));
+    let journey = journey.or(own);
+    match &mut command {
+        Command::Camera(camera) => camera.journey = journey,
+        Command::Render(render) if render.frames.is_some() || render.loop_seconds.is_some() => {
+            render.journey = journey;
+        }
+        _ if journey.is_none() => {}
+        Command::Render(_) => {
+            return Err(conflict(
+                "--journey needs --frames A..B, the numbers of the pictures to draw",
+            ));
+        }
+        _ => {
+            return Err(conflict(
+                "--journey is for flying, without a command, for `render` with --frames, and for `camera`",
+            ));
+        }
     }
     let follow = |after: &mut SceneArgs| -> Result<(), clap::Error> {
         let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";

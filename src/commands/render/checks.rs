@@ -1,6 +1,7 @@
 //! What `lightfall render` checks before it draws: files and memory.
 
 use super::cube::{drawn_at_once, files_of, is_of_side};
+use super::exr_options::exr_option;
 use super::large::Tiling;
 use super::pictures::Pictures;
 use crate::commands::cli::{Cells, RenderArgs};
@@ -117,7 +118,7 @@ pub(super) fn check_space(
         1 => "a picture".to_owned(),
         _ => format!("a sequence of {number} pictures"),
     };
-    let (_, file) = pictures.get(pictures.first());
+    let file = pictures.file_of(pictures.first());
     match storage::free_space(&file) {
         Some(free) if free < needed => Err(Stop::try_again(format!(
             "{}: {what} of {} x {} pixels needs up to {} on the disk while it is written, and {} are free; \
@@ -153,7 +154,11 @@ pub(super) fn check_times_file(file: &Path, picture: &Path) -> Result<(), Stop> 
 }
 
 /// Checks that the projection of the scene's picture goes with its size, its file and the options.
-pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), Stop> {
+pub(super) fn check_projection(
+    args: &RenderArgs,
+    format: Format,
+    scene: &Scene,
+) -> Result<(), Stop> {
     let (projection, size) = (scene.camera.projection, scene.picture.size());
     if args.scene.dome && projection == Projection::Fisheye && size.x != size.y {
         return Err(Stop::refused(format!(
@@ -189,9 +194,43 @@ pub(super) fn check_projection(args: &RenderArgs, scene: &Scene) -> Result<(), S
             "-o: {face} stands for the sides of a cube, which --set camera.projection=cube draws",
         ));
     }
-    if Format::of(&args.out)?.holds_sequence() {
+    if format.holds_sequence() {
         return Err(Stop::refused(
             "-o: {face} stands for files of pictures: the name must end in .png or .exr",
+        ));
+    }
+    Ok(())
+}
+
+/// Checks that there are frames for a file that holds a sequence, and that no option is for another format.
+pub(super) fn check_format(
+    args: &RenderArgs,
+    format: Format,
+    sequence: Option<&Sequence>,
+) -> Result<(), Stop> {
+    if format.holds_sequence() && sequence.is_none() {
+        return Err(Stop::refused(format!(
+            "-o: {} holds the frames of a sequence, so --frames A..B must name them",
+            format.noun()
+        )));
+    }
+    match exr_option(args) {
+        Some(option) if format != Format::Exr => Err(Stop::refused(format!(
+            "{option} is for pictures of linear light: the file's name must end in .exr"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Checks that a .png with transparent parts is drawn at once: one in tiles has none.
+pub(super) fn check_transparent(
+    args: &RenderArgs,
+    format: Format,
+    tiling: Option<&Tiling>,
+) -> Result<(), Stop> {
+    if args.alpha.is_some() && format == Format::Png && tiling.is_some() {
+        return Err(Stop::refused(
+            "--alpha: a .png that is drawn in tiles has no transparent parts; an .exr of this size may have them",
         ));
     }
     Ok(())

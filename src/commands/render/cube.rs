@@ -27,15 +27,19 @@ pub(super) fn is_of_side(file: &Path) -> bool {
     name.to_string_lossy().contains(FACE)
 }
 
+/// The file of a side.
 pub(super) fn file_of(file: &Path, side: &CubeSide) -> PathBuf {
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    file.with_file_name(name.replace(FACE, side.name))
+    with_face(file, side.name)
 }
 
 /// A file that is about all sides, of a name that may stand for those of the sides.
 pub(super) fn file_of_all(file: &Path) -> PathBuf {
+    with_face(file, "cube")
+}
+
+fn with_face(file: &Path, word: &str) -> PathBuf {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    file.with_file_name(name.replace(FACE, "cube"))
+    file.with_file_name(name.replace(FACE, word))
 }
 
 /// The layout of a file of this format.
@@ -71,6 +75,18 @@ pub(super) fn pictures_at_once(scene: &Scene) -> usize {
     }
 }
 
+/// The sides of a scene's cube, in the order of the layout, each with its scene. One exposure serves all of
+/// them, so each has it as one that was chosen.
+pub(super) fn sides(scene: &Scene, layout: CubeLayout) -> Vec<(CubeSide, Scene)> {
+    let side = side_of(scene);
+    let mut chosen = scene.clone();
+    chosen.picture.automatic_exposure = false;
+    let sides = layout.sides.into_iter();
+    sides
+        .map(|face| (face, chosen.cube_side(&face, side)))
+        .collect()
+}
+
 impl PictureWriter {
     /// Draws and writes the sides of a cube. One exposure, metered over the whole sky, serves them all.
     pub(super) fn write_cube(
@@ -80,19 +96,15 @@ impl PictureWriter {
         tiling: Tiling,
     ) -> Result<(), Stop> {
         let scene = exposed(scene);
-        let (layout, side) = (layout(self.format, file), side_of(&scene));
-        let mut metered = scene.clone();
-        metered.picture.automatic_exposure = false;
+        let layout = layout(self.format, file);
         if is_of_side(file) {
-            for face in &layout.sides {
-                let own = metered.cube_side(face, side);
-                self.write_large(&own, &file_of(file, face), tiling)?;
+            for (face, own) in sides(&scene, layout) {
+                self.write_large(&own, &file_of(file, &face), tiling)?;
             }
             return Ok(());
         }
         let (mut levels, mut lights, mut channels) = (Vec::new(), Vec::new(), Vec::new());
-        for face in &layout.sides {
-            let own = metered.cube_side(face, side);
+        for (_, own) in sides(&scene, layout) {
             let mut on_tile = on_tile(&mut self.progress, file);
             let mut large = LargePicture {
                 scene: &own,
@@ -110,6 +122,7 @@ impl PictureWriter {
             samples.extend(layers);
             channels.push(samples);
         }
+        let side = side_of(&scene);
         if self.format == Format::Exr {
             let light = picture::joined_light(layout, &lights);
             let samples = picture::joined_channels(layout, side, &channels);

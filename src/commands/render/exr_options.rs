@@ -1,7 +1,7 @@
 //! The options of `lightfall render` that an EXR picture alone can follow, and what is transparent.
 
 use super::pictures::Pictures;
-use crate::commands::cli::{Cells, RenderArgs};
+use crate::commands::cli::{Cells, RenderArgs, first_given};
 use crate::commands::stop::Stop;
 use lightfall_core::scene::{Projection, Scene, View};
 use lightfall_picture::{
@@ -17,8 +17,7 @@ pub(super) fn exr_option(args: &RenderArgs) -> Option<&'static str> {
         ("--layers", args.layers),
         ("--exr", args.exr.is_some()),
     ];
-    let given = options.into_iter().find(|(_, is_given)| *is_given);
-    given.map(|(option, _)| option)
+    first_given(options)
 }
 
 /// The form of an .exr that the options ask for.
@@ -48,12 +47,9 @@ pub(super) fn show_transparent(
         return Ok(());
     }
     if format.holds_sequence() {
-        let what = match format {
-            Format::Film => "a film",
-            _ => "an .apng",
-        };
         return Err(Stop::refused(format!(
-            "--alpha: {what} has no transparent parts; numbered .png and .exr pictures may have them"
+            "--alpha: {} has no transparent parts; numbered .png and .exr pictures may have them",
+            format.noun()
         )));
     }
     if args.scene.cells == Some(Cells::On) {
@@ -62,17 +58,17 @@ pub(super) fn show_transparent(
         ));
     }
     let has_other = [
-        (args.shutter.is_some(), "without --shutter"),
+        ("without --shutter", args.shutter.is_some()),
         (
-            args.bits.as_deref() == Some(PngBits::Sixteen.word()),
             "with 8 bits",
+            args.bits.as_deref() == Some(PngBits::Sixteen.word()),
         ),
         (
-            scene.camera.projection == Projection::Cube,
             "in another projection than the cube",
+            scene.camera.projection == Projection::Cube,
         ),
     ];
-    if let Some((_, what)) = has_other.into_iter().find(|(is_asked, _)| *is_asked) {
+    if let Some(what) = first_given(has_other) {
         return Err(Stop::refused(format!(
             "--alpha: a .png has transparent parts only {what}; an .exr has them in any case"
         )));
@@ -98,7 +94,11 @@ pub(super) fn channels(args: &RenderArgs, pictures: &Pictures) -> Result<Channel
         (false, Some(_)) => "--alpha",
         (false, None) => return Ok(channels),
     };
-    let scenes = || pictures.numbers().map(move |number| pictures.get(number).0);
+    let scenes = || {
+        pictures
+            .numbers()
+            .map(move |number| pictures.scene_of(number))
+    };
     if let Some(other) = scenes().find(|scene| scene.view != View::Colour) {
         return Err(Stop::refused(format!(
             "{option}: only the view \"colour\" has light to divide, and view is {:?}",

@@ -3,7 +3,7 @@
 use super::cube::file_of_all;
 use super::pictures::Pictures;
 use crate::commands::circumstances::commit;
-use crate::commands::cli::RenderArgs;
+use crate::commands::cli::{RenderArgs, first_given};
 use crate::commands::stop::Stop;
 use lightfall_core::reason::reason;
 use lightfall_picture::{
@@ -40,13 +40,10 @@ pub(super) fn check_farm(args: &RenderArgs, format: Format) -> Result<(), Stop> 
         ("--resume", farm.resume),
         ("--manifest", farm.manifest),
     ];
-    let given = options.into_iter().find(|(_, is_given)| *is_given);
-    match given {
-        Some((option, _)) if !matches!(format, Format::Png | Format::Exr) => {
-            Err(Stop::refused(format!(
-                "{option} is for pictures in files of their own: the name must end in .png or .exr"
-            )))
-        }
+    match first_given(options) {
+        Some(option) if format.holds_sequence() => Err(Stop::refused(format!(
+            "{option} is for pictures in files of their own: the name must end in .png or .exr"
+        ))),
         _ => Ok(()),
     }
 }

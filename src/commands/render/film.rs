@@ -1,9 +1,9 @@
 //! Films of the pictures: checked before they are drawn, and given to ffmpeg one by one.
 
 use super::large::Tiling;
-use crate::commands::cli::{Cells, FilmArgs, RenderArgs};
+use crate::commands::cli::{Cells, FilmArgs, RenderArgs, first_given};
 use crate::commands::stop::Stop;
-use lightfall_core::optics::lut::{HighRange, Look};
+use lightfall_core::optics::lut::Look;
 use lightfall_core::scene::{Projection, Scene};
 use lightfall_picture as picture;
 use lightfall_picture::{
@@ -50,8 +50,8 @@ pub(super) fn codec(
             ("--codec", args.film.codec.is_some()),
             ("--ffmpeg", args.film.ffmpeg.is_some()),
         ];
-        return match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((option, _)) => Err(Stop::refused(format!(
+        return match first_given(given) {
+            Some(option) => Err(Stop::refused(format!(
                 "{option} is for a film: the file's name must end in .mp4, .mov or .webm"
             ))),
             None => Ok(None),
@@ -106,7 +106,7 @@ impl FilmMaker {
         scene: &Scene,
         tiling: Option<&Tiling>,
     ) -> Self {
-        let look = (codec == Codec::Hdr10).then(|| Look::High(HighRange::default()));
+        let look = codec.own_look();
         let bits = match (look, tiling) {
             (Some(_), _) => PngBits::Sixteen,
             (None, Some(tiling)) => tiling.bits,

@@ -26,7 +26,7 @@ pub(super) struct Tiling {
 /// cells, so the scene's are switched off.
 pub(super) fn tiling(
     args: &RenderArgs,
-    format: Format,
+    (format, codec): (Format, Option<Codec>),
     scene: &mut Scene,
 ) -> Result<Option<Tiling>, Stop> {
     let bits = args.bits.as_deref().and_then(PngBits::from_word);
@@ -36,7 +36,7 @@ pub(super) fn tiling(
             bits.word()
         )));
     }
-    let is_film_of_light = args.film.codec.as_deref() == Some(Codec::Hdr10.word());
+    let is_film_of_light = codec == Some(Codec::Hdr10);
     let is_sharp = !scene.has_cells() && args.shutter.is_none();
     let bits = bits.unwrap_or(if format == Format::Film && is_sharp {
         // The film rounds the levels once more. Blurred pictures have 8 bits.
@@ -54,13 +54,10 @@ pub(super) fn tiling(
         } else {
             "picture.width and picture.height"
         };
-        let of_what = match format {
-            Format::Film => "a film",
-            _ => "an .apng",
-        };
         return Err(Stop::refused(format!(
-            "{what}: the pictures of {of_what} have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png \
-             pictures may be larger"
+            "{what}: the pictures of {} have at most {MAX_PICTURE_SIDE} pixels to a side; numbered .png pictures \
+             may be larger",
+            format.noun()
         )));
     }
     if format == Format::Apng {
@@ -131,7 +128,7 @@ impl Tiling {
     pub(super) fn sweeps(&self, pictures: &Pictures) -> impl Iterator<Item = usize> {
         pictures.numbers().map(move |number| match pictures.format {
             Format::Png | Format::Film if !self.is_film_of_light => {
-                png_sweeps(&drawn_at_once(&pictures.get(number).0), &self.tiles)
+                png_sweeps(&drawn_at_once(&pictures.scene_of(number)), &self.tiles)
             }
             _ => 1,
         })

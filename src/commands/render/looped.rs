@@ -31,9 +31,7 @@ pub(super) fn loop_sequence(
         ));
     }
     let count = (seconds * args.fps).round();
-    // The text of a range is checked as that of --frames is.
-    let frames: Result<Frames, String> = format!("0..{}", count.max(1.0) - 1.0).parse();
-    let frames = frames.map_err(&refused)?;
+    let frames = Frames::counted(count as u32).map_err(&refused)?;
     let whole = (seconds * args.fps - count).abs() < 1e-6 * count.max(1.0);
     if !whole || count < 2.0 {
         return Err(refused(format!(

@@ -1,17 +1,43 @@
 //! What `lightfall render` says before it draws: what will not be seen, and which options change nothing.
 
+use super::large::Tiling;
 use super::pictures::Pictures;
 use super::with_size;
 use crate::commands::cli::RenderArgs;
+use crate::commands::scene::note_missing_stars;
 use crate::commands::unused::{Suspect, note_idle_preset, note_unused};
 use glam::UVec2;
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{Output, Picture, Scene, SkyMode, fit};
 use lightfall_picture::Format;
 use lightfall_platform::log::say;
 use wgpu::DeviceType;
 
+/// Says what will not be seen, and which options change nothing. Returns those of which only the pictures can
+/// tell.
+pub(super) fn note_all(
+    args: &RenderArgs,
+    pictures: &Pictures,
+    tiling: Option<&Tiling>,
+    stars: &Catalogue,
+) -> Vec<Suspect> {
+    let scene = &pictures.scene;
+    if tiling.is_none()
+        && pictures.format != Format::Exr
+        && args.size.is_some()
+        && args.scene.cells.is_none()
+    {
+        note_cells(&scene.shown_picture());
+    }
+    note_unseen_stars(args, scene);
+    note_darkness(scene);
+    let suspects = note_unused_options(args, pictures);
+    note_missing_stars(&args.scene, scene, stars);
+    suspects
+}
+
 /// Warns that `--stars` has no effect here.
-pub(super) fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
+fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
     let idle = scene.idle("sky.ra_deg", Output::Still);
     if let (Some(file), Some(idle)) = (&args.scene.stars, idle) {
         say(format_args!(
@@ -24,7 +50,7 @@ pub(super) fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
 }
 
 /// Says that a picture whose size was asked for has cells that are larger than a pixel.
-pub(super) fn note_cells(picture: &Picture) {
+fn note_cells(picture: &Picture) {
     let grid = fit(picture, picture.size(), u64::MAX).grid();
     let pixels = picture.height.div_ceil(grid.y.max(1));
     if !picture.bypass && pixels > 1 {
@@ -36,7 +62,7 @@ pub(super) fn note_cells(picture: &Picture) {
 }
 
 /// Says that nothing in the scene emits light, and what would bring some.
-pub(super) fn note_darkness(scene: &Scene) {
+fn note_darkness(scene: &Scene) {
     if scene.view.shows_light() && !scene.shines() {
         let (disk, sky) = (&scene.disk, &scene.sky);
         let options = |needed: [(bool, &'static str); 2]| {
@@ -70,7 +96,7 @@ pub fn still_drawing(size: UVec2, kind: Option<DeviceType>) -> String {
 }
 
 /// Says which options change nothing, and returns those of which only the pictures can tell.
-pub(super) fn note_unused_options(args: &RenderArgs, pictures: &Pictures) -> Vec<Suspect> {
+fn note_unused_options(args: &RenderArgs, pictures: &Pictures) -> Vec<Suspect> {
     note_idle_preset(args.scene.preset.as_deref(), &pictures.scene);
     let output = match (pictures.format, &pictures.sequence) {
         (Format::Exr, _) => Output::Linear,

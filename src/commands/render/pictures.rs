@@ -1,20 +1,17 @@
 //! The pictures that a command line asks for: one, or the frames of a sequence.
 
 use crate::commands::cli::RenderArgs;
-use crate::commands::scene::{NO_JOURNEY, drawable, journey_at_rate};
+use crate::commands::scene::{drawable, journey_of_frames};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
 use lightfall_picture as picture;
 use lightfall_picture::{Format, Frames, Sequence};
 use lightfall_platform::log::say;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub(super) fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
-    let journey = match args.journey.as_deref() {
-        Some(file) if file == Path::new(NO_JOURNEY) => None,
-        file => Some(journey_at_rate(file, args.fps, scene)?),
-    };
+    let journey = journey_of_frames(args.journey.as_deref(), args.fps, scene)?;
     if let (Some(preset), Some(file), None) = (
         journey.as_ref().and_then(|journey| journey.preset),
         &args.journey,
@@ -70,16 +67,19 @@ impl Pictures {
         self.numbers.first().copied().unwrap_or_default()
     }
 
-    pub(super) fn get(&self, number: u32) -> (Scene, PathBuf) {
+    /// The scene of the picture of this number.
+    pub(super) fn scene_of(&self, number: u32) -> Scene {
         match &self.sequence {
-            Some(sequence) => {
-                let file = match self.format {
-                    Format::Apng | Format::Film => self.file.clone(),
-                    Format::Png | Format::Exr => sequence.file(number),
-                };
-                (sequence.scene(&self.scene, number), file)
-            }
-            None => (self.scene.clone(), self.file.clone()),
+            Some(sequence) => sequence.scene(&self.scene, number),
+            None => self.scene.clone(),
+        }
+    }
+
+    /// The file of the picture of this number, or the one that holds all frames.
+    pub(super) fn file_of(&self, number: u32) -> PathBuf {
+        match &self.sequence {
+            Some(sequence) if !self.format.holds_sequence() => sequence.file(number),
+            _ => self.file.clone(),
         }
     }
 
@@ -96,7 +96,7 @@ impl Pictures {
     /// Checks that all pictures can be drawn, so that the last frame of a long sequence does not
     /// come as a surprise.
     pub(super) fn check(&self) -> Result<(), Stop> {
-        drawable(&self.get(self.first()).0)?;
+        drawable(&self.scene_of(self.first()))?;
         let Some(sequence) = &self.sequence else {
             return Ok(());
         };

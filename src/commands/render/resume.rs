@@ -1,6 +1,6 @@
 //! `--resume`: which pictures of a sequence are there already.
 
-use super::cube::{file_of, is_of_side, layout, side_of};
+use super::cube::{file_of, is_of_side, layout, side_of, sides};
 use super::farm::{row_of, write};
 use super::large::Tiling;
 use super::pictures::Pictures;
@@ -34,7 +34,7 @@ pub(super) fn left_to_draw(
         if termination::is_asked() {
             return Err(PictureError::Terminated.into());
         }
-        let (scene, file) = pictures.get(number);
+        let (scene, file) = (pictures.scene_of(number), pictures.file_of(number));
         let files = files_of_scene(&scene, &file, pictures.format);
         let mut is_there = true;
         for (file, drawn, size) in &files {
@@ -88,17 +88,13 @@ fn files_of_scene(scene: &Scene, file: &Path, format: Format) -> Vec<(PathBuf, S
     if scene.camera.projection != Projection::Cube {
         return vec![(file.into(), scene.clone(), scene.picture.size())];
     }
-    let (layout, side) = (layout(format, file), side_of(scene));
+    let layout = layout(format, file);
     if !is_of_side(file) {
-        return vec![(file.into(), scene.clone(), layout.size(side))];
+        return vec![(file.into(), scene.clone(), layout.size(side_of(scene)))];
     }
-    // One exposure serves all sides, so each of them holds it as one that was chosen.
-    let mut metered = scene.clone();
-    metered.picture.automatic_exposure = false;
-    let files = layout.sides.iter().map(|face| {
-        let own = metered.cube_side(face, side);
+    let files = sides(scene, layout).into_iter().map(|(face, own)| {
         let size = own.picture.size();
-        (file_of(file, face), own, size)
+        (file_of(file, &face), own, size)
     });
     files.collect()
 }

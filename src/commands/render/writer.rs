@@ -139,14 +139,7 @@ impl PictureWriter {
             let path = (file, tiling.bits);
             return Ok(large.write_png(&mut self.studio, path, &record)?);
         }
-        let rays = if self.channels.of_rays().is_empty() {
-            None
-        } else {
-            if self.rays.is_none() {
-                self.rays = Some(PixelRays::open().map_err(Stop::without_device)?);
-            }
-            self.rays.as_mut()
-        };
+        let rays = opened_rays(&mut self.rays, &self.channels)?;
         let commit = commit();
         let about = Linear {
             scene: &scene,
@@ -202,12 +195,8 @@ impl PictureWriter {
 
     /// The numbers of the channels of rays of a scene's picture, which has this depth.
     pub(super) fn samples(&mut self, scene: &Scene, depth: &[f32]) -> Result<Vec<Vec<f32>>, Stop> {
-        if self.channels.of_rays().is_empty() {
+        let Some(rays) = opened_rays(&mut self.rays, &self.channels)? else {
             return Ok(Vec::new());
-        }
-        let rays = match &mut self.rays {
-            Some(rays) => rays,
-            none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
         };
         let samples = rays.sample(scene, &self.channels, depth);
         samples.map_err(|error| PictureError::from(error).into())
@@ -234,6 +223,20 @@ impl PictureWriter {
         };
         Ok(picture::write_exr(file, picture)?)
     }
+}
+
+/// What traces the rays of channels, which is opened for the first picture that has any; `None` without them.
+fn opened_rays<'a>(
+    rays: &'a mut Option<PixelRays>,
+    channels: &Channels,
+) -> Result<Option<&'a mut PixelRays>, Stop> {
+    if channels.of_rays().is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(match rays {
+        Some(rays) => rays,
+        none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
+    }))
 }
 
 /// What notes that a tile of a file's picture is drawn.

@@ -2,6 +2,7 @@
 
 use crate::PngBits;
 use glam::UVec2;
+use lightfall_core::optics::lut::{HighRange, Look};
 use lightfall_core::words;
 use std::path::Path;
 
@@ -62,6 +63,12 @@ impl Codec {
         }
     }
 
+    /// How linear light is shown with it; `None` where a film has the look of the screen.
+    #[must_use]
+    pub fn own_look(self) -> Option<Look> {
+        (self == Self::Hdr10).then(|| Look::High(HighRange::default()))
+    }
+
     /// The format of pixels that the encoder takes.
     fn pixels(self) -> &'static str {
         match self {
@@ -77,6 +84,17 @@ impl Codec {
             Self::Hdr10 => ["bt2020", "smpte2084", "2020_ncl"],
             _ => ["bt709", "bt709", "709"],
         }
+    }
+
+    /// The filters from levels of red, green and blue to the pixels that the encoder takes. They are rounded
+    /// with noise.
+    pub(crate) fn colour_filters(self) -> String {
+        let [primaries, transfer, matrix] = self.colours();
+        format!(
+            "setparams=color_primaries={primaries}:color_trc={transfer}:colorspace=gbr:range=pc,\
+             zscale=m={matrix}:r=limited:d=error_diffusion,format={}",
+            self.pixels()
+        )
     }
 
     /// The encoder's options. Their quality shows no loss beside the pictures.
@@ -97,6 +115,9 @@ const HDR10: &str = "log-level=error:hdr10=1:repeat-headers=1:colorprim=bt2020:t
                      master-display=G(13250,34500)B(7500,3000)R(34000,16000)WP(15635,16450)L(10000000,1):\
                      max-cll=1000,400";
 
+/// The filter that adds black pixels to sides that are odd, since common formats need even ones.
+pub(crate) const EVEN_SIDES: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+
 /// What a film is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmForm {
@@ -115,26 +136,19 @@ pub struct FilmForm {
 }
 
 impl FilmForm {
-    /// The filters from pictures that are given to those that are encoded. Common formats need even sides,
-    /// so black pixels are added to odd ones.
+    /// The filters from pictures that are given to those that are encoded.
     #[must_use]
     pub fn filters(&self) -> String {
-        let [primaries, transfer, matrix] = self.codec.colours();
         let planes = match self.bits {
             PngBits::Eight => "gbrp",
             // Without it, ffmpeg may choose eight bits between the filters.
             PngBits::Sixteen => "gbrp16le",
         };
-        let even = if (self.size % 2).element_sum() > 0 {
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
-        } else {
-            ""
-        };
-        format!(
-            "{even}format={planes},setparams=color_primaries={primaries}:color_trc={transfer}:colorspace=gbr:range=pc,\
-             zscale=m={matrix}:r=limited:d=error_diffusion,format={}",
-            self.codec.pixels()
-        )
+        let even = (self.size % 2).element_sum() > 0;
+        let even = even.then_some(EVEN_SIDES).into_iter();
+        let filters = [format!("format={planes}"), self.codec.colour_filters()];
+        let filters: Vec<_> = even.chain(filters.iter().map(String::as_str)).collect();
+        filters.join(",")
     }
 
     /// ffmpeg's options, but for the file of the film, which follows them. It reads pictures from its
@@ -150,7 +164,7 @@ impl FilmForm {
             "-v error -nostdin -y -f rawvideo -pixel_format {pixels} -video_size {x}x{y} -framerate {} -i pipe:0 -vf",
             self.fps
         );
-        let mut arguments: Vec<String> = input.split(' ').map(String::from).collect();
+        let mut arguments = split(&input);
         arguments.push(self.filters());
         arguments.extend(["-c:v", self.codec.encoder()].map(String::from));
         arguments.extend(self.codec.options().iter().copied().map(String::from));
@@ -175,8 +189,7 @@ impl FilmForm {
         } else {
             "-movflags +faststart "
         };
-        let options = format!("{index}-f {}", container.word());
-        options.split(' ').map(String::from).collect()
+        split(&format!("{index}-f {}", container.word()))
     }
 
     /// Whether ffmpeg copies the film once more: into its own container, with its index first.
@@ -189,7 +202,6 @@ impl FilmForm {
     /// the first file, and those between the names.
     #[must_use]
     pub fn copy_arguments(&self) -> [Vec<String>; 2] {
-        let words = |text: &str| -> Vec<String> { text.split(' ').map(String::from).collect() };
         let index = match self.container {
             Container::Webm => "",
             Container::Mp4 | Container::Mov => "-movflags +faststart ",
@@ -199,11 +211,16 @@ impl FilmForm {
             _ => "",
         };
         [
-            words("-v error -nostdin -y -i"),
-            words(&format!(
+            split("-v error -nostdin -y -i"),
+            split(&format!(
                 "-c copy -strict unofficial {tag}{index}-f {}",
                 self.container.word()
             )),
         ]
     }
+}
+
+/// Options that are written in one line.
+fn split(options: &str) -> Vec<String> {
+    options.split(' ').map(String::from).collect()
 }

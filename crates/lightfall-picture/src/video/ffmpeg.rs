@@ -15,7 +15,7 @@ use std::time::Duration;
 /// The variable of the environment that names the program.
 const VARIABLE: &str = "LIGHTFALL_FFMPEG";
 
-/// How long an answer may take, and how many bytes it may have. Another program may never end.
+/// How long an answer may take, and how many bytes it may have. A program that is not ffmpeg may never end.
 const MAX_WAIT: Duration = Duration::from_secs(20);
 const MAX_ANSWER: u64 = 1 << 20;
 
@@ -67,7 +67,7 @@ impl Ffmpeg {
     }
 }
 
-/// What is said without ffmpeg.
+/// The error where there is no ffmpeg.
 const MISSING: &str = "ffmpeg was not found; install it, name it with --ffmpeg, or draw numbered pictures with \
                        -o flight-####.png";
 
@@ -91,7 +91,7 @@ fn answer(program: &Path, question: &str) -> std::io::Result<Option<String>> {
         thread::spawn(move || {
             let mut bytes = Vec::new();
             let read = output.take(MAX_ANSWER).read_to_end(&mut bytes);
-            // Nobody waits any more if the time is over.
+            // There is no receiver any more if the time is over.
             sender.send(read.map(|_| bytes)).ok();
         });
     }

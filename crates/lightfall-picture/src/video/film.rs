@@ -119,7 +119,7 @@ impl Encoder {
     /// Starts ffmpeg for the film at `path`.
     fn start(mut command: Command, path: &Path) -> Result<Self, PictureError> {
         command
-            // SVT-AV1 else says what it is.
+            // Without it, SVT-AV1 prints its version and its settings.
             .env("SVT_LOG", "1")
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
@@ -184,7 +184,7 @@ impl Drop for Encoder {
 /// ones.
 fn listen(errors: ChildStderr, target: &str) -> Said {
     let mut said = Said::default();
-    // A line that is no text is none of importance, and the rest has to be read, too.
+    // All of it has to be read, text or not: ffmpeg would wait for a full pipe.
     for line in BufReader::new(errors).split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
         let line = line.trim();

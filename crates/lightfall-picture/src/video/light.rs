@@ -28,7 +28,7 @@ pub fn levels_of_light(rgb: &[[f32; 3]], look: Look, exposure_ev: f64) -> Vec<u1
 }
 
 fn levels(look: Look, light: [f32; 3], gain: f64) -> [u16; 3] {
-    // A number that is none would give none.
+    // NaN counts as no light.
     let light = light.map(|channel| if channel.is_nan() { 0.0 } else { channel });
     look.shown(light, gain)
         .map(|code| (code * TOP).round() as u16)

@@ -7,6 +7,7 @@ mod light;
 mod line;
 mod spherical;
 
+pub(crate) use codec::EVEN_SIDES;
 pub use codec::{Codec, Container, FilmForm};
 pub use ffmpeg::Ffmpeg;
 pub use film::Film;

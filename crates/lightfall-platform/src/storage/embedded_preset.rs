@@ -53,8 +53,11 @@ pub fn header_text(text: &str) -> &str {
     &text[..text.floor_char_boundary(MAX_PIECE_BYTES)]
 }
 
-const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
+/// The bytes with which a PNG begins.
+pub const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// The bytes with which an EXR begins.
+pub const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
 
 /// Whether a file that begins with these bytes is a PNG or EXR picture.
 #[must_use]

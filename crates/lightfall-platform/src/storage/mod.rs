@@ -14,7 +14,8 @@ mod scene_source;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics, unless_it_panics};
 pub use embedded_preset::{
-    embedded_preset, embedded_text, encoded_png, header_text, is_picture, preset_pieces, set_up_png,
+    EXR_SIGNATURE, PNG_SIGNATURE, embedded_preset, embedded_text, encoded_png, header_text,
+    is_picture, preset_pieces, set_up_png,
 };
 pub use file_name::file_safe_name;
 #[cfg(not(target_arch = "wasm32"))]
