@@ -8,6 +8,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::helm::ShipCommand;
 use crate::app::controls::refusal::no_observer;
+use crate::app::controls::statement::capitalised;
 use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::motion::flight_step::FlightStep;
 use crate::app::motion::hand::HandInputs;
@@ -169,15 +170,6 @@ pub(super) fn apply_ship_commands(
 /// The mission of the list to fly after the one under way: the next one that was not reached.
 fn next_mission<'a>(ship: &ShipFlight, missions: &'a Missions) -> Option<&'a Mission> {
     missions.next_after(&ship.attempt()?.mission.name)
-}
-
-/// The sentence with a capital first letter.
-fn capitalised(sentence: &str) -> String {
-    let mut characters = sentence.chars();
-    let first = characters.next().map(|first| first.to_uppercase());
-    first
-        .map(|first| first.chain(characters).collect())
-        .unwrap_or_default()
 }
 
 /// Moves the ship for one frame.
