@@ -52,8 +52,5 @@ fn hide_pointer(
     if used {
         *moved = time.elapsed();
     }
-    let rests = time.elapsed().saturating_sub(*moved) >= POINTER_STAY;
-    if hidden.0 != rests {
-        hidden.0 = rests;
-    }
+    hidden.0 = time.elapsed().saturating_sub(*moved) >= POINTER_STAY;
 }
