@@ -91,7 +91,7 @@ impl Missions {
         next_not_reached(&self.list, name, |name| self.results.best(name).is_some())
     }
 
-    /// Notes which mission has begun, or come to an end at which its goals were reached.
+    /// Notes the mission that has begun or come to an end, and whether its goals were reached there.
     pub(crate) fn note_flown(&mut self, name: &str, has_reached: bool) {
         self.flown = Some((name.to_owned(), has_reached));
     }

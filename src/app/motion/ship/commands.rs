@@ -22,7 +22,6 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
-use glam::DVec3;
 use lightfall_core::numbers::with_short_numbers;
 use lightfall_core::optics::ship::BoardError;
 use lightfall_core::scene::mission::Mission;
@@ -182,7 +181,6 @@ pub(crate) fn advance_ship(
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     (mut end_card, asked): (ResMut<EndCard>, Res<AskedQuestion>),
     mut editor: SceneEditor,
-    mut pushed: Local<bool>,
 ) {
     if !ship.is_flown() {
         return;
@@ -199,12 +197,9 @@ pub(crate) fn advance_ship(
         stick: inputs.hand(&pilot).stick(&before, seconds),
         reduced_motion: preferences.settings.reduced_motion,
     };
-    let pushes = frame.stick.thrust != DVec3::ZERO;
-    if pushes && !*pushed && paused.0 && !reads {
-        let pause = bindings.label("motion.pause");
-        editor.say(format!("Paused: the engine waits until {pause} goes on"));
+    if paused.0 && !reads && ship.begins_push(frame.stick) {
+        editor.say(words::paused_push(&bindings));
     }
-    *pushed = pushes;
     let (step, news) = ship.advance(&frame, &before);
     match step {
         FlightStep::Idle => editor.say(format!(
