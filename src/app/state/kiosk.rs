@@ -96,7 +96,7 @@ impl Kiosk {
     }
 }
 
-/// Whether the mouse's arrow is hidden because the mouse rests in a window for visitors.
+/// Whether the pointer is hidden because the mouse rests in a window for visitors.
 #[derive(Resource, Default)]
 pub(crate) struct HiddenPointer(pub(crate) bool);
 
