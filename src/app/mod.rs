@@ -209,11 +209,7 @@ pub fn program(start: Start) -> App {
         player.restart();
     }
     // The adapter has to be chosen before the renderer opens a device.
-    let (adapter, other_adapter) = if has_visitors {
-        AdapterChoice::apply_without_trial(&preferences)
-    } else {
-        AdapterChoice::apply(&mut preferences)
-    };
+    let (adapter, other_adapter) = AdapterChoice::apply(&mut preferences, !has_visitors);
     let mut app = App::new();
     let labels = input::layout::current_labels();
     let clash = state::preferences::insert(&mut app, preferences, &labels);

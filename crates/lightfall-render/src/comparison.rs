@@ -20,6 +20,15 @@ use lightfall_core::scene::{Picture, View};
 #[derive(Resource, Clone, Debug, Default)]
 pub struct Comparison(pub Option<(Pinned, ComparisonMode)>);
 
+impl Comparison {
+    /// Ends the comparison. Without one nothing is touched, because what is touched is drawn again.
+    pub fn end(comparison: &mut ResMut<Self>) {
+        if comparison.0.is_some() {
+            comparison.0 = None;
+        }
+    }
+}
+
 /// How two scenes are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ComparisonMode {

@@ -1,4 +1,4 @@
-//! What visitors of an exhibition may do: fly, and lead the journeys. Nothing of it writes a file, opens a
+//! What visitors of an exhibition may do: fly, and control the journeys. None of it writes a file, opens a
 //! dialog or leaves the window.
 
 use super::control::{Action, AppCommand, Edit};
@@ -54,7 +54,7 @@ pub(crate) fn is_command_for_visitors(command: AppCommand) -> bool {
         | AppCommand::SaveLesson
         | AppCommand::NewLesson
         | AppCommand::Missions => false,
-        // They change settings, or lead to what does.
+        // They change settings, or open what changes them.
         AppCommand::Settings | AppCommand::Panel | AppCommand::Inspector | AppCommand::Help => {
             false
         }

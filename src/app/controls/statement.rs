@@ -104,7 +104,7 @@ pub fn change_words(before: &Scene, after: &Scene) -> String {
 }
 
 /// The text with a capital first letter.
-fn capitalised(text: &str) -> String {
+pub(crate) fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters
         .next()

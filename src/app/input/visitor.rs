@@ -50,7 +50,6 @@ impl Visitors<'_, '_> {
 
     /// Lets keys that are held now do nothing until they are pressed again.
     pub(crate) fn claim_held_keys(&mut self) {
-        let held: Vec<KeyCode> = self.keys.get_pressed().copied().collect();
-        self.claimed.0.extend(held);
+        self.claimed.0.extend(self.keys.get_pressed());
     }
 }

@@ -46,13 +46,13 @@ pub(super) fn apply_journey_commands(
     (mut offered, mut starts): (ResMut<OfferedLesson>, MessageWriter<StartJourney>),
 ) {
     for command in commands.read() {
+        if *command == AppCommand::Journey
+            && let Some(lesson) = offered.0.take()
+        {
+            starts.write(StartJourney(lesson));
+            continue;
+        }
         match command {
-            AppCommand::Journey if offered.0.is_some() => {
-                if let Some(lesson) = offered.0.take() {
-                    starts.write(StartJourney(lesson));
-                }
-                continue;
-            }
             AppCommand::JourneyBack | AppCommand::JourneyAhead => {
                 if player.is_playing() {
                     let back = *command == AppCommand::JourneyBack;
@@ -237,7 +237,7 @@ pub(super) fn advance_journey(
             let fall = (!is_inside(&next)).then_some(("motion.let_go", "let go and fall"));
             end_card.show(&title, &ending, again, fall);
             offered.0 = lesson_after(&player, &mut lessons);
-            end_card.details = after_lesson(&player, offered.0.as_deref());
+            end_card.details = lesson_details(&player, offered.0.as_deref());
             if offered.0.is_some() {
                 end_card.ways.insert(0, NEXT_LESSON);
             }
@@ -248,7 +248,7 @@ pub(super) fn advance_journey(
 
 /// What the card at the end of a lesson says besides: how its questions were answered, and what comes next.
 /// Empty for other journeys.
-fn after_lesson(player: &JourneyPlayer, next: Option<&Journey>) -> String {
+fn lesson_details(player: &JourneyPlayer, next: Option<&Journey>) -> String {
     if player.journey().stops.is_empty() {
         return String::new();
     }

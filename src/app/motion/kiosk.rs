@@ -43,10 +43,7 @@ impl LeftBehind<'_> {
     fn put_back(&mut self) {
         *self.overlays = Overlays::default();
         self.end_card.close();
-        // Nothing is touched without need, since a comparison that changes is drawn again.
-        if self.comparison.0.is_some() {
-            self.comparison.0 = None;
-        }
+        Comparison::end(&mut self.comparison);
         self.paused.0 = false;
         self.pilot.let_go();
     }

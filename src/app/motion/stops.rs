@@ -61,10 +61,10 @@ fn follow_stops(
         // Nothing is touched without need, since a comparison that changes is drawn again.
         if let Some(before) = stage.before.take() {
             // A mission has the picture for itself.
-            let is_left = ship.attempt().is_none();
+            let come_back = ship.attempt().is_none();
             overlays.guides = before.guides;
-            overlays.show_side(Side::Left, is_left && before.inspector);
-            comparison.0 = before.comparison.filter(|_| is_left);
+            overlays.show_side(Side::Left, come_back && before.inspector);
+            comparison.0 = before.comparison.filter(|_| come_back);
             asked.0 = None;
         }
         return;

@@ -23,8 +23,8 @@ pub(crate) struct AdapterChoice {
 
 impl AdapterChoice {
     /// Prefers the adapter of the settings. Must be called before anything opens a device. The
-    /// second value says why the adapter is not used.
-    pub(crate) fn apply(preferences: &mut Preferences) -> (Self, Option<String>) {
+    /// second value says why the adapter is not used. Without a trial, no file is touched.
+    pub(crate) fn apply(preferences: &mut Preferences, has_trial: bool) -> (Self, Option<String>) {
         let Some(wanted) = preferences.settings.adapter.clone() else {
             return (Self::default(), None);
         };
@@ -32,7 +32,8 @@ impl AdapterChoice {
             return (Self::default(), None);
         }
         let unused = |news: String| (Self::default(), Some(news));
-        let trial = settings_file().map(|file| file.with_file_name("adapter-on-trial"));
+        let file = settings_file().filter(|_| has_trial);
+        let trial = file.map(|file| file.with_file_name("adapter-on-trial"));
         if let Some(trial) = trial.as_ref().filter(|trial| exists(trial)) {
             preferences.settings.adapter = None;
             return match remove(trial) {
@@ -46,7 +47,9 @@ impl AdapterChoice {
             };
         }
         if gpu::adapters().iter().all(|listed| listed.name != wanted) {
-            return unused(not_found(&wanted));
+            return unused(format!(
+                "The settings name {wanted}, which was not found; the best adapter is used"
+            ));
         }
         // A system that has no folder for this file has no folder for settings either.
         let trial =
@@ -55,27 +58,6 @@ impl AdapterChoice {
         let used = Some(wanted);
         (Self { used, trial }, None)
     }
-}
-
-impl AdapterChoice {
-    /// As [`apply`](Self::apply), without a trial: a window for visitors writes no file.
-    pub(crate) fn apply_without_trial(preferences: &Preferences) -> (Self, Option<String>) {
-        let wanted = preferences.settings.adapter.clone();
-        let Some(wanted) = wanted.filter(|_| gpu::named_by_environment().is_none()) else {
-            return (Self::default(), None);
-        };
-        if gpu::adapters().iter().all(|listed| listed.name != wanted) {
-            return (Self::default(), Some(not_found(&wanted)));
-        }
-        gpu::prefer(Some(wanted.clone()));
-        let used = Some(wanted);
-        (Self { used, trial: None }, None)
-    }
-}
-
-/// What is said where there is no adapter of this name.
-fn not_found(wanted: &AdapterName) -> String {
-    format!("The settings name {wanted}, which was not found; the best adapter is used")
 }
 
 pub(crate) fn plugin(app: &mut App) {

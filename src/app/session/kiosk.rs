@@ -1,4 +1,5 @@
-//! The window for visitors as its keeper needs it: the keys that end it, and a mouse whose arrow goes away.
+//! What the keeper of a window for visitors needs: keys that end it, and a pointer that is hidden while the
+//! mouse rests.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::Modifier;
@@ -13,7 +14,7 @@ const QUIT_MODIFIERS: [Modifier; 2] = [Modifier::Ctrl, Modifier::Shift];
 const QUIT_HOLD: Duration = Duration::from_secs(3);
 /// The longest time that counts for a frame: a slow frame does not stand for a key that is held.
 const MAX_FRAME: Duration = Duration::from_millis(500);
-/// How long the arrow stays after the mouse has moved.
+/// How long the pointer stays after the mouse was used.
 const POINTER_STAY: Duration = Duration::from_secs(3);
 
 pub(crate) fn plugin(app: &mut App) {
@@ -40,7 +41,7 @@ fn end_by_keeper(
     }
 }
 
-/// Hides the arrow of a mouse that rests.
+/// Hides the pointer while the mouse rests.
 fn hide_pointer(
     mut moves: MessageReader<CursorMoved>,
     buttons: Res<ButtonInput<MouseButton>>,
@@ -52,8 +53,5 @@ fn hide_pointer(
     if used {
         *moved = time.elapsed();
     }
-    let rests = time.elapsed().saturating_sub(*moved) >= POINTER_STAY;
-    if hidden.0 != rests {
-        hidden.0 = rests;
-    }
+    hidden.0 = time.elapsed().saturating_sub(*moved) >= POINTER_STAY;
 }

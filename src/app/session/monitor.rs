@@ -30,7 +30,12 @@ impl MonitorFault {
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Placement>()
         .init_resource::<MonitorFault>()
-        .add_systems(Update, choose_monitor.run_if(|| !IN_BROWSER));
+        .add_systems(Update, choose_monitor.run_if(names_monitor));
+}
+
+/// A run condition: the window opens on a monitor that the command line names.
+fn names_monitor(placement: Res<Placement>) -> bool {
+    !IN_BROWSER && placement.monitor.is_some()
 }
 
 /// The mode in which the window opens.

@@ -1,7 +1,7 @@
 //! A window for the visitors of an exhibition.
 
 use super::kiosk_round::KioskRound;
-use crate::app::controls::control::{Action, AppCommand};
+use crate::app::controls::control::{Action, AppCommand, Control};
 use crate::app::controls::kiosk::{is_command_for_visitors, is_for_visitors};
 use crate::app::controls::table::control_named;
 use bevy::prelude::*;
@@ -80,13 +80,23 @@ impl Kiosk {
         !self.is_on() || is_command_for_visitors(command)
     }
 
-    /// Whether the control with this name may be used here.
-    pub(crate) fn allows_control(&self, id: &str) -> bool {
-        control_named(id).is_none_or(|control| self.allows(control.action))
+    /// Whether buttons and texts name this command here: one that may be sent, except the one that leads to the
+    /// menu elsewhere, which visitors do not have.
+    pub(crate) fn offers(&self, command: AppCommand) -> bool {
+        self.allows_command(command) && !(self.is_on() && command == AppCommand::Escape)
+    }
+
+    /// Whether texts name the control with this name here.
+    pub(crate) fn offers_control(&self, id: &str) -> bool {
+        let offers = |control: &Control| match control.action {
+            Action::Do(command) => self.offers(command),
+            action => self.allows(action),
+        };
+        !self.is_on() || control_named(id).is_none_or(offers)
     }
 }
 
-/// Whether the mouse's arrow is hidden because the mouse rests in a window for visitors.
+/// Whether the pointer is hidden because the mouse rests in a window for visitors.
 #[derive(Resource, Default)]
 pub(crate) struct HiddenPointer(pub(crate) bool);
 

@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 /// The columns.
 const HEADER: &str = "mission,outcome,lamps,attempt,own_time,far_time,rapidity_used,par_quantity,par_reached,peak_g,\
                       peak_tide_g_per_metre,lowest_r,error,answer,is_right,time,pupil";
+/// Their number. The last one, a text, may have commas.
+const COLUMNS: usize = 17;
 /// How every header of an earlier version begins, too.
 const HEADER_START: &str = "mission,outcome,";
 
@@ -49,9 +51,6 @@ pub struct MissionResult {
     /// Who flew. Empty if the settings name nobody.
     pub pupil: String,
 }
-
-/// The number of columns. The last one, a text, may have commas.
-const COLUMNS: usize = 17;
 
 impl MissionResult {
     /// The result as a row.

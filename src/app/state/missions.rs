@@ -2,6 +2,7 @@
 
 use super::end_card::EndCard;
 use super::mission_results::{MissionResult, MissionResults};
+use super::typed_answer::TypedAnswer;
 use bevy::prelude::*;
 use lightfall_core::optics::readout::units::Units;
 use lightfall_core::scene::Question;
@@ -24,11 +25,8 @@ pub(crate) struct Missions {
 pub(crate) struct AskedQuestion {
     /// The question, and the result that the answer belongs to.
     asked: Option<(Question, MissionResult)>,
-    /// What was typed.
-    pub(crate) typed: String,
-    /// Whether the last answer is right, and what is said of it.
-    pub(crate) is_right: bool,
-    pub(crate) said: String,
+    /// The answer to it.
+    pub(crate) answer: TypedAnswer,
     /// The card that tells the end of the mission, and with it the answer.
     card: EndCard,
 }
@@ -53,30 +51,17 @@ impl AskedQuestion {
         std::mem::take(self).card
     }
 
-    /// Takes what was typed as the answer, says whether it is right, and returns the result with it. The
-    /// hint has its lengths and times in these units. A wrong answer, which the sentence repeats, leaves
-    /// the field empty for the next one.
-    pub(crate) fn answer(&mut self, units: Units) -> Option<MissionResult> {
+    /// Judges what was typed, and returns the result with the answer. The hint has its lengths and times in
+    /// these units.
+    pub(crate) fn judge(&mut self, units: Units) -> Option<MissionResult> {
         let (question, result) = self.asked.as_mut()?;
         let question = Question {
             hint: units.in_text(&question.hint),
             ..question.clone()
         };
-        let answered = match question.judge(&self.typed) {
-            Ok(judged) => {
-                (result.answer, result.is_right) = (Some(judged.number), Some(judged.is_right));
-                (self.is_right, self.said) = (judged.is_right, judged.said);
-                Some(result.clone())
-            }
-            Err(fault) => {
-                self.said = fault;
-                None
-            }
-        };
-        if !self.is_right {
-            self.typed.clear();
-        }
-        answered
+        let judged = self.answer.judge(&question)?;
+        (result.answer, result.is_right) = (Some(judged.number), Some(judged.is_right));
+        Some(result.clone())
     }
 }
 
@@ -91,7 +76,7 @@ impl Missions {
         next_not_reached(&self.list, name, |name| self.results.best(name).is_some())
     }
 
-    /// Notes which mission has begun, or come to an end at which its goals were reached.
+    /// Notes the mission that has begun or come to an end, and whether its goals were reached there.
     pub(crate) fn note_flown(&mut self, name: &str, has_reached: bool) {
         self.flown = Some((name.to_owned(), has_reached));
     }

@@ -32,6 +32,7 @@ pub(crate) mod shown_picture;
 pub(crate) mod sound;
 pub(crate) mod title;
 pub(crate) mod toast;
+pub(crate) mod typed_answer;
 pub(crate) mod view_point;
 pub(crate) mod window_shot;
 

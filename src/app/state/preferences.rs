@@ -35,18 +35,22 @@ impl Preferences {
             .map_or_else(Default::default, Settings::load);
         let stays = unused.as_ref().is_some_and(|unused| unused.stays);
         (
-            Self {
-                saved: settings.clone(),
-                settings,
-                file: file.filter(|_| !stays),
-                changed: None,
-            },
+            Self::new(settings, file.filter(|_| !stays)),
             unused.map(|unused| unused.sentence),
         )
     }
 
+    fn new(settings: Settings, file: Option<PathBuf>) -> Self {
+        Self {
+            saved: settings.clone(),
+            settings,
+            file,
+            changed: None,
+        }
+    }
+
     /// Reads the settings for a window for visitors, and leaves their file as it is, whatever they do. The
-    /// second value says what was wrong with the file. `volume` takes the place of the loudness, and no
+    /// second value says what was wrong with the file. `volume` takes the place of the settings' own, and no
     /// keys are named for good.
     pub(crate) fn for_visitors(volume: f64) -> (Self, Option<String>) {
         let file = settings_file();
@@ -61,13 +65,7 @@ impl Preferences {
             keep_key_hints: true,
             ..read.ok().flatten().unwrap_or_default()
         };
-        let unkept = Self {
-            saved: settings.clone(),
-            settings,
-            file: None,
-            changed: None,
-        };
-        (unkept, fault)
+        (Self::new(settings, None), fault)
     }
 
     fn save(&mut self) -> Result<(), String> {

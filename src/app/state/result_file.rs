@@ -66,9 +66,9 @@ pub(super) fn cell(number: f64) -> String {
 /// Signs with which a spreadsheet begins a formula, as they are typed and in full width.
 const FORMULA_SIGNS: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
 
-/// A text that somebody has written, as a cell of one line: in quotes where it has a comma, a semicolon or a
-/// quote (RFC 4180). An apostrophe before the sign of a formula makes spreadsheets show the text and compute
-/// nothing, also those that begin a cell behind a semicolon.
+/// A text that a user has written, as a cell of one line: in quotes where it has a comma, a semicolon or a
+/// quote (RFC 4180). An apostrophe before the sign of a formula makes a spreadsheet show the text instead of
+/// computing it. The text after a semicolon has its own, because some spreadsheets begin a new cell there.
 pub(super) fn text_cell(text: &str) -> String {
     let printed = text.replace(char::is_control, " ");
     let parts = printed.trim().split(';').map(|part| {

@@ -129,10 +129,7 @@ impl SceneEditor<'_> {
     /// whether the scene is in place. The pixel look is the user's choice and stays as it is.
     pub(crate) fn load(&mut self, asker: &str, loaded: Result<Scene, String>) -> bool {
         let loaded = loaded
-            .map(|scene| self.in_this_look(scene))
-            .and_then(|scene| {
-                Drawable::new(scene.clone()).map_err(|reason| undrawable(&reason, &scene))
-            })
+            .and_then(|scene| self.drawable_in_this_look(scene))
             .map(|loaded| {
                 let loaded = loaded.exposed();
                 let before = self.scene();
@@ -145,9 +142,9 @@ impl SceneEditor<'_> {
         self.report(asker, loaded)
     }
 
-    /// Shows a scene as if the program had begun with it: nothing of before can be undone.
+    /// Shows a scene as if the program had begun with it: nothing that was done before can be undone.
     pub(crate) fn begin_anew(&mut self, start: &Scene) {
-        match Drawable::new(self.in_this_look(start.clone())) {
+        match self.drawable_in_this_look(start.clone()) {
             Ok(start) => {
                 let start = start.exposed();
                 *self.history = History::new(start.scene().clone());
@@ -155,7 +152,7 @@ impl SceneEditor<'_> {
                 self.title.close();
                 self.put(start);
             }
-            Err(reason) => self.toast.say(undrawable(&reason, start)),
+            Err(reason) => self.toast.say(reason),
         }
     }
 
@@ -225,7 +222,7 @@ impl SceneEditor<'_> {
     pub(crate) fn depart(&mut self, start: Option<&Scene>) {
         let before = self.scene();
         let unread = self.toast.unread().to_owned();
-        let start = start.map(|scene| Drawable::new(self.in_this_look(scene.clone())));
+        let start = start.map(|scene| self.drawable_in_this_look(scene.clone()));
         match start {
             Some(Ok(start)) => {
                 let start = start.exposed();
@@ -281,6 +278,12 @@ impl SceneEditor<'_> {
     fn in_this_look(&self, mut scene: Scene) -> Scene {
         scene.picture.bypass = self.scene.picture.bypass;
         scene
+    }
+
+    /// The scene in this look, to be drawn, or why it cannot be.
+    fn drawable_in_this_look(&self, scene: Scene) -> Result<Drawable, String> {
+        let scene = self.in_this_look(scene);
+        Drawable::new(scene.clone()).map_err(|reason| undrawable(&reason, &scene))
     }
 
     /// Takes the last change back.

@@ -37,10 +37,10 @@ impl ViewPoint {
             .sum::<f64>()
             .sqrt();
         let (before, after) = (&self.camera, &to.camera);
-        let [narrow, wide] =
+        let [old_field, new_field] =
             [before, after].map(|camera| camera.field_deg().unwrap_or(WHOLE_SKY_DEG));
-        let nearer = (after.r / before.r).ln().abs() + (wide / narrow).ln().abs();
-        (turned + boost) / wide.to_radians() + 0.5 * nearer
+        let nearer = (after.r / before.r).ln().abs() + (new_field / old_field).ln().abs();
+        (turned + boost) / new_field.to_radians() + 0.5 * nearer
     }
 
     /// The camera's axes in the hole's frame, as if space were flat.

@@ -4,6 +4,7 @@ mod form;
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::{Action, AppCommand};
+use crate::app::controls::statement::capitalised;
 use crate::app::controls::table::control_named;
 use crate::app::state::end_card::{CardButtons, Closes, EndCard, Lamp, LampKind, Way};
 use crate::app::state::helm::CommandSender;
@@ -135,13 +136,6 @@ fn command_of(id: &str) -> Option<AppCommand> {
         Action::Do(command) => Some(command),
         _ => None,
     }
-}
-
-/// The words with a capital first letter, as they stand on buttons.
-fn capitalised(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters.next().into_iter().flat_map(char::to_uppercase);
-    first.chain(letters).collect()
 }
 
 fn words(text: &str, size: f32, colour: egui::Color32) -> egui::RichText {

@@ -64,9 +64,8 @@ pub(crate) fn show_scrolled(
 }
 
 /// Shows contents where the layout has room for them, as near as possible to their wish. Contents larger
-/// than the layout's bounds are drawn smaller, and so are those that cover the hole and find no place for
-/// their size. Returns their box, or `None` where there is no room, and
-/// then shows nothing.
+/// than the layout's bounds are drawn smaller, and so are those that may cover the hole and still find no
+/// place for their size. Returns their box, or `None` where there is no room, and then shows nothing.
 pub(crate) fn show_placed(
     context: &egui::Context,
     layout: &mut Layout,

@@ -73,8 +73,8 @@ fn for_visitors(
     let leave = ("Leave", Use::Command(AppCommand::TakeControls));
     let allowed = |does: Use| match does {
         Use::Push => true,
-        Use::Places | Use::Command(AppCommand::Escape) => false,
-        Use::Command(command) => kiosk.allows_command(command),
+        Use::Places => false,
+        Use::Command(command) => kiosk.offers(command),
     };
     let allowed = buttons.into_iter().filter(|(_, does)| allowed(*does));
     allowed.chain(at_helm.then_some(leave)).collect()

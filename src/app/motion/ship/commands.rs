@@ -8,6 +8,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::helm::ShipCommand;
 use crate::app::controls::refusal::no_observer;
+use crate::app::controls::statement::capitalised;
 use crate::app::motion::camera_motions::CameraMotions;
 use crate::app::motion::flight_step::FlightStep;
 use crate::app::motion::hand::HandInputs;
@@ -21,7 +22,6 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::window_shot::WindowShot;
 use bevy::prelude::*;
-use glam::DVec3;
 use lightfall_core::numbers::with_short_numbers;
 use lightfall_core::optics::ship::BoardError;
 use lightfall_core::scene::mission::Mission;
@@ -171,15 +171,6 @@ fn next_mission<'a>(ship: &ShipFlight, missions: &'a Missions) -> Option<&'a Mis
     missions.next_after(&ship.attempt()?.mission.name)
 }
 
-/// The sentence with a capital first letter.
-fn capitalised(sentence: &str) -> String {
-    let mut characters = sentence.chars();
-    let first = characters.next().map(|first| first.to_uppercase());
-    first
-        .map(|first| first.chain(characters).collect())
-        .unwrap_or_default()
-}
-
 /// Moves the ship for one frame.
 pub(crate) fn advance_ship(
     inputs: HandInputs,
@@ -190,7 +181,6 @@ pub(crate) fn advance_ship(
     (bindings, preferences): (Res<Bindings>, Res<Preferences>),
     (mut end_card, asked): (ResMut<EndCard>, Res<AskedQuestion>),
     mut editor: SceneEditor,
-    mut pushed: Local<bool>,
 ) {
     if !ship.is_flown() {
         return;
@@ -207,12 +197,9 @@ pub(crate) fn advance_ship(
         stick: inputs.hand(&pilot).stick(&before, seconds),
         reduced_motion: preferences.settings.reduced_motion,
     };
-    let pushes = frame.stick.thrust != DVec3::ZERO;
-    if pushes && !*pushed && paused.0 && !reads {
-        let pause = bindings.label("motion.pause");
-        editor.say(format!("Paused: the engine waits until {pause} goes on"));
+    if paused.0 && !reads && ship.begins_push(frame.stick) {
+        editor.say(words::paused_push(&bindings));
     }
-    *pushed = pushes;
     let (step, news) = ship.advance(&frame, &before);
     match step {
         FlightStep::Idle => editor.say(format!(

@@ -64,9 +64,19 @@ impl ShipFlight {
         }
         (step, news)
     }
+
+    /// Whether the hand, which did not push in the last frame, pushes now.
+    pub(super) fn begins_push(&self, stick: Stick) -> bool {
+        let aboard = self.aboard.as_ref();
+        aboard.is_some_and(|aboard| aboard.begins_push(stick))
+    }
 }
 
 impl Aboard {
+    fn begins_push(&self, stick: Stick) -> bool {
+        stick.thrust != DVec3::ZERO && self.stick.thrust == DVec3::ZERO
+    }
+
     fn advance(
         &mut self,
         frame: &ShipFrame,
@@ -87,10 +97,9 @@ impl Aboard {
 
     /// Moves the ship. Returns whether it has come to a limit of its flight, and what happened.
     fn move_on(&mut self, frame: &ShipFrame) -> Result<(bool, Option<News>), ShipError> {
-        let pushed = self.stick.thrust != DVec3::ZERO;
+        let begins_push = self.begins_push(frame.stick);
         self.steer(frame);
         let seconds = if self.has_ended { 0.0 } else { frame.seconds };
-        let begins_push = frame.stick.thrust != DVec3::ZERO && !pushed;
         let pushes_in_vain = begins_push && !self.can_push() && seconds > 0.0;
         self.moves = seconds > 0.0;
         let seconds = seconds.min(MAX_FRAME_SECONDS);

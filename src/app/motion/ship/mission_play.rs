@@ -146,10 +146,7 @@ pub(super) fn start_missions(
         camera.end();
         asked.close();
         overlays.clear_picture();
-        // A comparison that is touched is drawn again.
-        if comparison.0.is_some() {
-            comparison.0 = None;
-        }
+        Comparison::end(&mut comparison);
         // One that the command line names, or a file that is dropped, comes before any list is read. The
         // list says what is wrong with its files when it is opened.
         if missions.list.is_empty() {

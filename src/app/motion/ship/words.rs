@@ -112,6 +112,12 @@ pub(super) fn no_thrust(ship: &ShipFlight) -> &'static str {
     }
 }
 
+/// What a thrust key says while the flight is paused.
+pub(super) fn paused_push(bindings: &Bindings) -> String {
+    let pause = bindings.label("motion.pause");
+    format!("Paused: the engine waits until {pause} goes on")
+}
+
 /// What a thrust key says where the engine cannot push, with what still works.
 pub(super) fn no_push(ship: &ShipFlight, bindings: &Bindings) -> String {
     let why = if ship.is_empty() {

@@ -1,5 +1,5 @@
-//! The form of the end card: a column beside the hole, a strip where there is room for one, and otherwise
-//! what fits, whose words scroll, or all of it.
+//! The form of the end card: a column beside the hole, otherwise a strip where a whole one has room, and
+//! otherwise a strip in which the words scroll, or everything does.
 
 use super::Shown;
 use crate::app::ui::layout::{Layout, Slide};
@@ -12,7 +12,7 @@ const MAX_WIDTH: f32 = 330.0;
 const MAX_STRIP: f32 = 760.0;
 /// The least height in which words alone scroll, in points: two lines of the strip.
 const MIN_WORDS: f32 = 32.0;
-/// Height of which no card is, in points.
+/// A height that no card reaches, in points.
 const MAX_HEIGHT: f32 = 1e5;
 /// How many free places are tried for the strip, the largest first.
 const TRIES: usize = 4;

@@ -209,9 +209,8 @@ pub(super) fn show_key_hints(
     } else {
         vec![ALL_KEYS]
     };
-    // What visitors may not do is not offered. They have no menu, which Esc opens elsewhere.
-    let allowed = |id: &&str| kiosk.allows_control(id) && !(kiosk.is_on() && *id == "fly.escape");
-    hints.retain(|(ids, ..)| ids.iter().all(allowed));
+    // What visitors may not do is not offered.
+    hints.retain(|(ids, ..)| ids.iter().all(|id| kiosk.offers_control(id)));
     while !hints.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
         put_hints(&mut board, &hints, &bindings);

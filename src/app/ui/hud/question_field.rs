@@ -1,5 +1,6 @@
 //! The field in which a question with a number is answered.
 
+use crate::app::state::typed_answer::TypedAnswer;
 use bevy_egui::egui::text::{CCursor, CCursorRange};
 use bevy_egui::egui::{self, RichText};
 use lightfall_core::scene::Question;
@@ -23,11 +24,13 @@ pub(super) enum Step {
 pub(super) fn show_answer_field(
     ui: &mut egui::Ui,
     question: &Question,
-    typed: &mut String,
-    is_right: bool,
+    answer: &mut TypedAnswer,
     size: f32,
 ) -> Step {
     let begun = begun_number(ui);
+    let TypedAnswer {
+        typed, is_right, ..
+    } = answer;
     typed.push_str(&begun);
     let field = ui.add(egui::TextEdit::singleline(typed).desired_width(WIDTH));
     if !question.unit.is_empty() {
@@ -43,7 +46,7 @@ pub(super) fn show_answer_field(
         state.cursor.set_char_range(Some(CCursorRange::one(end)));
         state.store(ui.ctx(), field.id);
     }
-    match (enter, is_right) {
+    match (enter, *is_right) {
         (true, true) => Step::IsDone,
         (true, false) if !typed.trim().is_empty() => Step::Answers,
         _ if button => Step::Answers,

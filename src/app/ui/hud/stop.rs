@@ -10,6 +10,7 @@ use crate::app::state::lesson_results::LessonAnswer;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::result_file::time_now;
 use crate::app::state::toast::Toast;
+use crate::app::state::typed_answer::TypedAnswer;
 use crate::app::ui::layout::{Layout, Slide, Wish};
 use crate::app::ui::screen::{MARGIN, Screen, show_scrolled, text_box};
 use bevy::prelude::*;
@@ -32,14 +33,12 @@ const SMALL: f32 = 0.75;
 /// Room for the toast below the card, in points.
 const TOAST: f32 = 44.0;
 
-/// The answer to a stop's question.
+/// What is known of the card, and the answer to its question.
 #[derive(Default)]
-pub(super) struct Answer {
+pub(super) struct Card {
     /// The stop's number, and when it is.
     stop: Option<(usize, f64)>,
-    typed: String,
-    is_right: bool,
-    said: String,
+    answer: TypedAnswer,
     /// Height of the card without its caption as shown last, in points.
     rest: f32,
 }
@@ -49,7 +48,7 @@ pub(super) fn show_stop(
     mut player: ResMut<JourneyPlayer>,
     (bindings, pads, connected): (Res<Bindings>, Res<PadBindings>, Query<&Gamepad>),
     preferences: Res<Preferences>,
-    mut answer: Local<Answer>,
+    mut card: Local<Card>,
     (mut commands, mut toast): (CommandSender, ResMut<Toast>),
 ) {
     let Some((stop, number)) = player.waits_at() else {
@@ -59,10 +58,10 @@ pub(super) fn show_stop(
         return;
     };
     let is = Some((number, stop.time));
-    if answer.stop != is {
-        *answer = Answer {
+    if card.stop != is {
+        *card = Card {
             stop: is,
-            ..Answer::default()
+            ..Card::default()
         };
     }
     let journey = player.journey();
@@ -85,7 +84,7 @@ pub(super) fn show_stop(
     };
     let width = MAX_WIDTH.min(room.width());
     let usual = MAX_SHARE * room.height();
-    let most = usual.max(answer.rest + MIN_CAPTION).min(room.height());
+    let most = usual.max(card.rest + MIN_CAPTION).min(room.height());
     let shown = context.memory(|memory| memory.area_rect(NAME));
     let size = shown.map_or(vec2(width, 120.0), |shown| shown.size());
     let place = place_of(layout, size.min(vec2(room.width(), most)), room);
@@ -103,13 +102,13 @@ pub(super) fn show_stop(
                     let caption = bindings.with_keys(&stop.caption);
                     // Each stop begins at its first line.
                     ui.push_id(number, |ui| {
-                        caption_height = show_scrolled(ui, most - answer.rest, |ui| {
+                        caption_height = show_scrolled(ui, most - card.rest, |ui| {
                             ui.label(words(&caption, SIZE, BRIGHT));
                         });
                     });
                 }
                 if let Some(question) = &stop.question {
-                    let asked = ask(ui, question, (&mut *answer, &*bindings));
+                    let asked = ask(ui, question, (&mut card.answer, &*bindings));
                     command = asked.goes_on.then_some(AppCommand::GoOn);
                     judged = asked.judged;
                 }
@@ -118,8 +117,8 @@ pub(super) fn show_stop(
         });
     // Next frame the caption makes room for the rest.
     let rest = drawn.response.rect.height() - caption_height;
-    if (answer.rest - rest).abs() > 0.5 {
-        answer.rest = rest;
+    if (card.rest - rest).abs() > 0.5 {
+        card.rest = rest;
         context.request_repaint();
     }
     if let Some(command) = command {
@@ -186,35 +185,22 @@ struct Asked {
 fn ask(
     ui: &mut egui::Ui,
     question: &Question,
-    (answer, bindings): (&mut Answer, &Bindings),
+    (answer, bindings): (&mut TypedAnswer, &Bindings),
 ) -> Asked {
     let text = bindings.with_keys(&question.text);
     ui.label(words(&text, 0.9 * SIZE, BRIGHT));
     let line = ui.horizontal(|ui| {
-        let Answer {
-            typed, is_right, ..
-        } = answer;
-        let used = show_answer_field(ui, question, typed, *is_right, 0.9 * SIZE);
+        let step = show_answer_field(ui, question, answer, 0.9 * SIZE);
         let said = bindings.with_keys(&answer.said);
         ui.label(words(&said, 0.9 * SIZE, WARNING));
-        used
+        step
     });
     let step = line.inner;
-    let mut judged = None;
-    if step == Step::Answers {
-        match question.judge(&answer.typed) {
-            Ok(now) => {
-                (answer.is_right, answer.said) = (now.is_right, now.said.clone());
-                judged = Some(now);
-            }
-            Err(fault) => answer.said = fault,
-        }
-        if !answer.is_right {
-            // What is said repeats the wrong answer, and the next one begins with an empty field. The
-            // keyboard is free meanwhile, so that the keys that go on and back work.
-            answer.typed.clear();
-        }
-    }
+    let judged = match step {
+        // The field does not take the keyboard back, so that the keys that go on and back work.
+        Step::Answers => answer.judge(question),
+        Step::Types | Step::IsDone => None,
+    };
     Asked {
         goes_on: step == Step::IsDone,
         judged,

@@ -3,9 +3,9 @@
 
 use super::dial::draw_dial;
 use super::map::{map_painter, map_sizes};
-use super::needed::most_rows;
+use super::needed::KnownNeeds;
 use super::places::{PilotNeeds, PilotPlaces, PlacesNow, pilot_places};
-use super::values::{Instrument, TIME, instruments};
+use super::values::{Instrument, TIME, instruments_of};
 use crate::app::motion::ship::ShipFlight;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::missions::AskedQuestion;
@@ -52,6 +52,7 @@ pub(in crate::app::ui::hud) fn show_instruments(
     (preferences, paused, overlays): (Res<Preferences>, Res<Paused>, Res<Overlays>),
     (end_card, asked): (Res<EndCard>, Res<AskedQuestion>),
     mut places: ResMut<PlacesNow>,
+    mut known: Local<KnownNeeds>,
 ) {
     places.0 = None;
     let Some(voyage) = ship.voyage() else {
@@ -67,9 +68,10 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let units = ship.units(&preferences.settings);
     let attempt = ship.attempt();
     let has_card = end_card.is_open() || asked.question().is_some();
+    let needed = known.of(attempt.map(|attempt| &attempt.mission));
     let rows = match has_card && room.height() < LOW {
         true => [0; 3],
-        false => most_rows(attempt, units),
+        false => needed.most_rows(),
     };
     // The card at the end of a mission has the map beside it.
     let is_over = end_card.is_open() && attempt.is_some_and(|attempt| attempt.is_over());
@@ -102,7 +104,7 @@ pub(in crate::app::ui::hud) fn show_instruments(
     let clocks = Clocks::new(&voyage.flight.ship);
     let ratio = clocks.far_rate.map(|rate| format!("× {rate:.4}"));
     let clocks = dials(&clocks, ship.dial(), units);
-    let mut all = instruments(&ship, mass, units);
+    let mut all = instruments_of(&ship, needed, mass, units);
     if paused.0 {
         for row in all.iter_mut().filter(|row| row.label == TIME) {
             row.value = "stands still".into();

@@ -49,13 +49,15 @@ pub(in crate::app::ui::hud) fn show_mission(
         (true, without),
     ];
     let words = (units, &*bindings);
-    let boards = tries
+    // Laid out one after another, until one has room.
+    let mut boards = tries
+        .into_iter()
         .map(|(next_only, rows)| goals(context, (attempt, next_only), rows, (words, places.goals)));
     let has_room = |board: &Board| {
         let size = board.size();
         size.x <= places.goals.width() && size.y <= places.goals.height()
     };
-    if let Some(board) = boards.into_iter().find(has_room) {
+    if let Some(board) = boards.find(has_room) {
         // Over the hole rather than elsewhere.
         let corner = layout.at(Align2::LEFT_TOP, Slide::Nowhere);
         board.paint(layout, corner.even_over_hole());

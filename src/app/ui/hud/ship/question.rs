@@ -64,14 +64,13 @@ pub(in crate::app::ui::hud) fn show_question(
                     ui.label(egui::RichText::new(text).size(15.0));
                     ui.add_space(6.0);
                     ui.horizontal_wrapped(|ui| {
-                        let AskedQuestion {
-                            typed, is_right, ..
-                        } = &mut *asked;
-                        used = Some(show_answer_field(ui, &question, typed, *is_right, 15.0));
+                        let answer = &mut asked.answer;
+                        used = Some(show_answer_field(ui, &question, answer, 15.0));
                         closes = ui.button("Close").clicked();
                     });
-                    if !asked.said.is_empty() {
-                        let said = bindings.with_keys(&asked.said);
+                    let said = &asked.answer.said;
+                    if !said.is_empty() {
+                        let said = bindings.with_keys(said);
                         ui.label(egui::RichText::new(said).size(15.0));
                     }
                 });
@@ -83,8 +82,8 @@ pub(in crate::app::ui::hud) fn show_question(
     if closes || step == Step::IsDone {
         *end_card = asked.close();
     } else if step == Step::Answers {
-        let answered = asked.answer(units);
-        let kept = answered.map(|result| missions.results.correct_last(result));
+        let judged = asked.judge(units);
+        let kept = judged.map(|result| missions.results.correct_last(result));
         if let Some(Err(fault)) = kept {
             toast.say(fault);
         }

@@ -1,7 +1,7 @@
 //! The values of the ship's instruments, in words.
 
-use super::needed::{add_named, note_needed};
-use super::quantities::plunges;
+use super::needed::Needed;
+use super::quantities::{plunges, present};
 use crate::app::motion::ship::{
     LITTLE_FUEL, ShipFlight, acceleration, fuel, heading_words, multiple, tide,
 };
@@ -14,6 +14,7 @@ use lightfall_core::optics::ship::{
     Apsides, Clocks, Flight, Hold, longest_life, speed_for_zamo, tide_of, time_to_apsis,
 };
 use lightfall_core::scene::ObserverKind;
+use lightfall_core::scene::mission::Quantity;
 
 /// An instrument: what it shows, and the value.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +54,17 @@ impl Instrument {
 /// pilot.
 #[must_use]
 pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Instrument> {
+    let mission = flown.attempt().map(|attempt| &attempt.mission);
+    instruments_of(flown, &Needed::of(mission), mass, units)
+}
+
+/// As [`instruments`], where it is known what the flight needs.
+pub(super) fn instruments_of(
+    flown: &ShipFlight,
+    needed: &Needed,
+    mass: HoleMass,
+    units: Units,
+) -> Vec<Instrument> {
     let Some(voyage) = flown.voyage() else {
         return Vec::new();
     };
@@ -74,10 +86,11 @@ pub fn instruments(flown: &ShipFlight, mass: HoleMass, units: Units) -> Vec<Inst
     all.push(to_hover(ship, mass, units));
     all.push(Instrument::minor("tide", tide(tide_of(ship), mass)));
     all.extend(signal(ship, units));
-    if let Some(attempt) = flown.attempt() {
-        add_named(&mut all, attempt, units);
-    }
-    note_needed(&mut all, flown.attempt());
+    let value = |quantity: Quantity| {
+        let attempt = flown.attempt();
+        attempt.map_or_else(String::new, |attempt| present(attempt, quantity, units))
+    };
+    needed.complete(&mut all, value);
     all
 }
 
