@@ -1,7 +1,7 @@
 //! Pictures of linear light, as the files that the program writes, read back.
 
 use super::{pixel, plain, preset};
-use exr::prelude::{AttributeValue, FlatSamples, read_first_flat_layer_from_file};
+use exr::prelude::{AttributeValue, FlatSamples, f16, read_first_flat_layer_from_file};
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
@@ -94,6 +94,11 @@ pub fn linear(scene: &Scene, options: &str) -> Linear {
     let folder = tempfile::tempdir().unwrap();
     program(folder.path(), scene, &format!("-o a.exr {options}"));
     Linear::read(&folder.path().join("a.exr"))
+}
+
+/// Linear light of a pixel's half floats, as the chain keeps them.
+pub fn rgb([r, g, b, _]: [u16; 4]) -> DVec3 {
+    DVec3::from([r, g, b].map(|bits| f16::from_bits(bits).to_f64()))
 }
 
 /// The code of linear light in sRGB (IEC 61966-2-1).

@@ -1,6 +1,6 @@
 //! The probe in tiles, against the picture drawn at once.
 
-use super::comparison::number;
+use super::linear::rgb;
 use super::tiles::{SIZE, TILES, scene};
 use glam::UVec2;
 use lightfall_picture::{HeadlessOptions, Studio, Tiles, exposed};
@@ -16,7 +16,7 @@ struct ProbePicture {
 impl ProbePicture {
     fn new(studio: &mut Studio, size: UVec2) -> Self {
         let light = studio.light().unwrap();
-        let sum = |[r, g, b, _]: &[u16; 4]| [r, g, b].map(|bits| number(*bits)).iter().sum();
+        let sum = |rgba: &[u16; 4]| rgb(*rgba).element_sum();
         Self {
             size,
             depth: studio.depth().unwrap(),

@@ -1,9 +1,8 @@
 //! Pictures of other projections against perspective ones: cut-outs of them, resampled here, their
 //! seams, poles and circles.
 
-use super::linear::srgb;
+use super::linear::{rgb, srgb};
 use super::preset;
-use exr::prelude::f16;
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::scene::{Camera, CubeLayout, DiskStructure, Projection, Scene, SkyMode};
 use lightfall_picture::{HeadlessOptions, Studio, filled, joined_light, render};
@@ -38,11 +37,6 @@ pub(super) fn light(scene: &Scene) -> Captured {
     let size = scene.picture.size();
     let mut studio = Studio::with_options(&filled(scene), size, options).unwrap();
     studio.light().unwrap()
-}
-
-/// Linear light of the half floats that the chain keeps.
-pub(super) fn rgb([r, g, b, _]: [u16; 4]) -> DVec3 {
-    DVec3::from([r, g, b].map(|bits| f16::from_bits(bits).to_f64()))
 }
 
 fn pixel(light: &Captured, at: UVec2) -> DVec3 {

@@ -1,8 +1,9 @@
 //! Pictures of the user's own as the sky: their light is where the reference says, as bright as its
 //! shift says, and none of it is lost.
 
+use super::linear::rgb;
 use super::preset;
-use super::projections::{light as captured, rgb};
+use super::projections::light as captured;
 use exr::prelude::write_rgb_file;
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::optics::reference::Reference;

@@ -8,17 +8,13 @@ use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::scene::{Camera, CubeLayout, Projection, Scene};
 use std::f64::consts::PI;
 
-/// The camera of a pair.
-fn camera(pair: &Pair) -> Camera {
+/// A camera with this projection and field of view.
+fn camera(projection: Projection, field_deg: f64) -> Camera {
     let mut camera = Camera {
-        projection: pair.projection,
+        projection,
         ..Scene::default().camera
     };
-    if pair.projection == Projection::Perspective {
-        camera.fov_deg = pair.angle_deg;
-    } else {
-        camera.fisheye_deg = pair.angle_deg.max(1.0);
-    }
+    camera.set_field_deg(field_deg);
     camera
 }
 
@@ -30,7 +26,7 @@ fn directions_and_places_are_those_of_an_independent_program() {
     let mut counts = [0; 2];
     for pair in pairs() {
         let Pair { size, place, .. } = pair;
-        let camera = camera(&pair);
+        let camera = camera(pair.projection, pair.angle_deg);
         let name = format!("{} {place}", pair.projection.word());
         let side = size.x / 3.0;
         let (seen, back) = match pair.projection {
@@ -82,14 +78,6 @@ fn solid_angles_of_pixels_add_up_to_those_of_the_pictures() {
             .map(|place| camera.coverage(place, size) * camera.solid_angle(place, size))
             .sum()
     };
-    let of = |projection, field_deg: f64| {
-        let mut camera = Camera {
-            projection,
-            ..Scene::default().camera
-        };
-        camera.set_field_deg(field_deg);
-        camera
-    };
     let half = DVec2::new(16.0 / 9.0, 1.0) * 30_f64.to_radians().tan();
     let [x, y] = half.to_array();
     // Of a pyramid over a rectangle (Van Oosterom & Strackee 1983).
@@ -97,15 +85,19 @@ fn solid_angles_of_pixels_add_up_to_those_of_the_pictures() {
     let square = DVec2::splat(720.0);
     let cases = [
         (
-            of(Projection::Perspective, 60.0),
+            camera(Projection::Perspective, 60.0),
             DVec2::new(640.0, 360.0),
             pyramid,
         ),
-        (of(Projection::Perspective, 90.0), square, 4.0 * PI / 6.0),
-        (of(Projection::Fisheye, 180.0), square, 2.0 * PI),
-        (of(Projection::Fisheye, 360.0), square, 4.0 * PI),
         (
-            of(Projection::Equirectangular, 0.0),
+            camera(Projection::Perspective, 90.0),
+            square,
+            4.0 * PI / 6.0,
+        ),
+        (camera(Projection::Fisheye, 180.0), square, 2.0 * PI),
+        (camera(Projection::Fisheye, 360.0), square, 4.0 * PI),
+        (
+            camera(Projection::Equirectangular, 0.0),
             DVec2::new(720.0, 360.0),
             4.0 * PI,
         ),
