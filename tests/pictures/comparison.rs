@@ -46,7 +46,7 @@ pub(super) fn light(alone: &mut Studio, scene: &Scene) -> Captured {
 }
 
 /// The number that the bits of a half float stand for (IEEE 754 binary16).
-pub(super) fn number(bits: u16) -> f64 {
+fn number(bits: u16) -> f64 {
     let (exponent, mantissa) = (i32::from(bits >> 10 & 31), f64::from(bits & 1023));
     let size = match exponent {
         0 => mantissa * 2f64.powi(-24),

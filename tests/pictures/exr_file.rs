@@ -1,5 +1,6 @@
 //! EXR files as they are written and read back, without a graphics adapter.
 
+use super::layers::LAYERS;
 use exr::prelude::{
     AttributeValue, Compression, FlatSamples, Text, Vec2, WritableImage, f16,
     read_first_flat_layer_from_file,
@@ -200,14 +201,7 @@ fn a_picture_has_the_layers_of_what_its_scene_shows() {
         scene
     };
     let of = |number: &str, mode: SkyMode| layers(vec![with_sky(number, mode)]);
-    let [sky, stars, hit1, hit2, volume, probe] = [
-        "light_sky",
-        "light_stars",
-        "light_hit1",
-        "light_hit2",
-        "light_volume",
-        "light_probe",
-    ];
+    let [sky, stars, hit1, hit2, volume, probe] = LAYERS;
     assert_eq!(of("2", SkyMode::Stars), [sky, stars, hit1, hit2]);
     assert_eq!(of("2", SkyMode::Procedural), [sky, hit1, hit2]);
     assert_eq!(of("2", SkyMode::Off), [hit1, hit2]);

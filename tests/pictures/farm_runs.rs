@@ -43,21 +43,25 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
+/// Names of the files in a folder.
+fn names(folder: &Path) -> impl Iterator<Item = String> {
+    let files = fs::read_dir(folder).unwrap();
+    files.map(|file| file.unwrap().file_name().into_string().unwrap())
+}
+
 /// The pictures in a folder, with their bytes.
 fn pictures(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap());
-    let named = files.map(|file| (file.file_name().into_string().unwrap(), file.path()));
-    named
-        .filter(|(name, _)| name.ends_with(".png") || name.ends_with(".exr"))
-        .map(|(name, path)| (name, fs::read(path).unwrap()))
+    names(folder)
+        .filter(|name| name.ends_with(".png") || name.ends_with(".exr"))
+        .map(|name| (name.clone(), fs::read(folder.join(name)).unwrap()))
         .collect()
 }
 
 /// Names of temporary files.
 fn temporary(folder: &Path) -> Vec<String> {
-    let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap());
-    let names = files.map(|file| file.file_name().into_string().unwrap());
-    names.filter(|name| name.ends_with(".part")).collect()
+    names(folder)
+        .filter(|name| name.ends_with(".part"))
+        .collect()
 }
 
 /// Waits until something is so while a program runs.

@@ -1,22 +1,24 @@
 //! Films by the program itself, and pictures of linear light through lookup tables.
 
-use super::linear::{Linear, program, small};
+use super::linear::{Linear, program, run, small};
 use lightfall_core::optics::lut::Look;
 use lightfall_core::scene::{DiskStructure, Scene, ToneCurve};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The frames of a film, as ffmpeg shows them: red, green and blue in 16 bits.
-fn shown(file: &Path) -> Vec<Vec<u16>> {
-    let filter = "zscale=min=709:rin=limited:m=gbr:r=full,format=gbrp16le,format=rgb48le";
+/// The frames of a film with this matrix, as ffmpeg shows them: red, green and blue in 16 bits.
+fn shown(file: &Path, matrix: &str) -> Vec<Vec<u16>> {
+    let filter =
+        format!("zscale=min={matrix}:rin=limited:m=gbr:r=full,format=gbrp16le,format=rgb48le");
     let output = Command::new("ffmpeg")
         .args(["-v", "error", "-nostdin", "-i"])
         .arg(file)
-        .args(["-vf", filter, "-f", "rawvideo", "-"])
+        .args(["-vf", &filter, "-f", "rawvideo", "-"])
         .output()
         .expect("ffmpeg is missing; ./check installs it");
     let frames = output.stdout.chunks_exact(160 * 90 * 6);
+    assert!(frames.remainder().is_empty());
     let levels = |frame: &[u8]| -> Vec<u16> {
         let pairs = frame.chunks_exact(2);
         pairs
@@ -27,15 +29,10 @@ fn shown(file: &Path) -> Vec<Vec<u16>> {
 }
 
 /// The mean difference of two pictures, in 255 levels.
-fn difference(film: &[u16], png: &Path) -> f64 {
-    let png = image::open(png).unwrap().to_rgb16().into_raw();
-    assert_eq!(film.len(), png.len());
-    let sum: f64 = film
-        .iter()
-        .zip(&png)
-        .map(|(a, b)| (f64::from(*a) - f64::from(*b)).abs())
-        .sum();
-    sum / film.len() as f64 / 257.0
+fn difference(a: &[u16], b: &[u16]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let differences = a.iter().zip(b).map(|(a, b)| f64::from(a.abs_diff(*b)));
+    differences.sum::<f64>() / a.len() as f64 / 257.0
 }
 
 /// A disk that moves, of 160x90 pixels, with one exposure and without bloom, which a table cannot have.
@@ -66,25 +63,22 @@ fn a_film_shows_the_frames_that_are_drawn_and_so_does_one_of_exr_pictures() {
     program(folder.path(), &scene, &format!("{options} -o f-#.exr"));
     program(folder.path(), &scene, &format!("{options} -o drawn.mov"));
     for (pictures, film) in [("f-#.png", "png.mov"), ("f-#.exr", "exr.mov")] {
-        let made = Command::new(env!("CARGO_BIN_EXE_lightfall"))
-            .current_dir(folder.path())
-            .args(["video", pictures, "--fps", "1", "-o", film])
-            .output()
-            .unwrap();
-        assert!(
-            made.status.success() && made.stdout == format!("{film}\n").as_bytes(),
-            "{}",
-            String::from_utf8_lossy(&made.stderr)
-        );
+        let line = format!("video {pictures} --fps 1 -o {film}");
+        let made = run(folder.path(), &line);
+        assert_eq!(made.stdout, format!("{film}\n").as_bytes());
     }
+    let drawn = [0, 1, 2].map(|number| {
+        let file = here(&format!("f-{number}.png"));
+        image::open(file).unwrap().to_rgb16().into_raw()
+    });
     for film in ["drawn.mov", "png.mov", "exr.mov"] {
-        let frames = shown(&here(film));
+        let frames = shown(&here(film), "709");
         assert_eq!(frames.len(), 3, "{film}");
         for (number, frame) in frames.iter().enumerate() {
-            let found = difference(frame, &here(&format!("f-{number}.png")));
+            let found = difference(frame, &drawn[number]);
             println!("{film}, frame {number}: {found:.3}");
             assert!(found < 0.6, "{film}, frame {number}: {found}");
-            let other = difference(frame, &here(&format!("f-{}.png", (number + 1) % 3)));
+            let other = difference(frame, &drawn[(number + 1) % 3]);
             assert!(
                 found < 0.5 * other,
                 "{film} shows another frame as {number}"
@@ -100,14 +94,9 @@ fn a_loop_goes_on_at_its_beginning() {
     let folder = tempfile::tempdir().unwrap();
     let options = "--loop 1 --fps 12 --size 160x90";
     program(folder.path(), &living(), &format!("{options} -o a.mov"));
-    let frames = shown(&folder.path().join("a.mov"));
+    let frames = shown(&folder.path().join("a.mov"), "709");
     assert_eq!(frames.len(), 12);
-    let apart = |a: usize, b: usize| {
-        let pairs = frames[a].iter().zip(&frames[b]);
-        pairs
-            .map(|(a, b)| (f64::from(*a) - f64::from(*b)).abs())
-            .sum::<f64>()
-    };
+    let apart = |a: usize, b: usize| difference(&frames[a], &frames[b]);
     let steps: Vec<f64> = (0..11).map(|number| apart(number, number + 1)).collect();
     let largest = steps.iter().copied().fold(0.0, f64::max);
     let seam = apart(11, 0);
@@ -121,23 +110,9 @@ fn a_film_in_hdr10_is_brighter_than_its_white() {
     let folder = tempfile::tempdir().unwrap();
     let options = "--journey none --frames 0..1 --fps 24 --size 160x90 --codec hdr10";
     program(folder.path(), &living(), &format!("{options} -o a.mp4"));
-    let output = Command::new("ffmpeg")
-        .args(["-v", "error", "-nostdin", "-i"])
-        .arg(folder.path().join("a.mp4"))
-        .args([
-            "-vf",
-            "zscale=min=2020_ncl:rin=limited:m=gbr:r=full,format=gbrp16le,format=rgb48le",
-        ])
-        .args(["-f", "rawvideo", "-"])
-        .output()
-        .unwrap();
-    let codes: Vec<f64> = output
-        .stdout
-        .chunks_exact(2)
-        .map(|pair| f64::from(u16::from_le_bytes([pair[0], pair[1]])) / 65_535.0)
-        .collect();
+    let codes = shown(&folder.path().join("a.mp4"), "2020_ncl").concat();
     assert_eq!(codes.len(), 2 * 3 * 160 * 90);
-    let largest = codes.iter().copied().fold(0.0, f64::max);
+    let largest = f64::from(codes.into_iter().max().unwrap()) / 65_535.0;
     // The code of white is 0.58, and that of the peak 0.752. A lossy codec overshoots at edges.
     assert!((0.62..0.8).contains(&largest), "{largest}");
 }
@@ -182,24 +157,10 @@ fn the_program_writes_a_table_of_each_form() {
         ("a.clf", "<?xml version=\"1.0\""),
         ("a.cube", "LUT_1D_SIZE 65536\n"),
     ] {
-        let made = Command::new(env!("CARGO_BIN_EXE_lightfall"))
-            .current_dir(folder.path())
-            .args([
-                "lut",
-                "--preset",
-                "2",
-                "--set",
-                "picture.tone_curve=aces",
-                "-o",
-                name,
-            ])
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&made.stderr).into_owned();
-        assert!(
-            made.status.success() && said.contains("the tone curve aces"),
-            "{said}"
-        );
+        let line = format!("lut --preset 2 --set picture.tone_curve=aces -o {name}");
+        let made = run(folder.path(), &line);
+        let said = String::from_utf8_lossy(&made.stderr);
+        assert!(said.contains("the tone curve aces"), "{said}");
         assert_eq!(made.stdout, format!("{name}\n").as_bytes());
         let text = fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(text.starts_with(begin), "{name}");

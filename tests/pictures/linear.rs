@@ -1,7 +1,7 @@
 //! Pictures of linear light, as the files that the program writes, read back.
 
 use super::{pixel, plain, preset};
-use exr::prelude::{AttributeValue, FlatSamples, read_first_flat_layer_from_file};
+use exr::prelude::{AttributeValue, FlatSamples, f16, read_first_flat_layer_from_file};
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
@@ -10,7 +10,7 @@ use lightfall_picture::{CHANNELS, Channel, render};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
 
 /// An EXR file: size, channels and the texts of its header.
 pub struct Linear {
@@ -71,26 +71,43 @@ impl Linear {
     }
 }
 
-/// Renders a scene by the program itself.
-pub fn program(folder: &Path, scene: &Scene, options: &str) {
-    fs::write(folder.join("scene.toml"), scene.to_preset()).unwrap();
+/// Runs the program itself.
+pub fn run(folder: &Path, line: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));
-    command
-        .current_dir(folder)
-        .args(["render", "--preset", "scene.toml"])
-        .args(options.split_whitespace());
+    command.current_dir(folder).args(line.split_whitespace());
     let output = command.output().unwrap();
     assert!(
         output.status.success(),
         "{}",
         String::from_utf8_lossy(&output.stderr)
     );
+    output
+}
+
+/// Renders a scene by the program itself.
+pub fn program(folder: &Path, scene: &Scene, options: &str) {
+    fs::write(folder.join("scene.toml"), scene.to_preset()).unwrap();
+    run(folder, &format!("render --preset scene.toml {options}"));
 }
 
 pub fn linear(scene: &Scene, options: &str) -> Linear {
     let folder = tempfile::tempdir().unwrap();
     program(folder.path(), scene, &format!("-o a.exr {options}"));
     Linear::read(&folder.path().join("a.exr"))
+}
+
+/// Linear light of a pixel's half floats, as the chain keeps them.
+pub fn rgb([r, g, b, _]: [u16; 4]) -> DVec3 {
+    DVec3::from([r, g, b].map(|bits| f16::from_bits(bits).to_f64()))
+}
+
+/// The code of linear light in sRGB (IEC 61966-2-1).
+pub fn srgb(light: f64) -> f64 {
+    if light <= 0.003_130_8 {
+        12.92 * light
+    } else {
+        1.055 * light.powf(1.0 / 2.4) - 0.055
+    }
 }
 
 /// A small picture of a preset.
@@ -130,13 +147,6 @@ fn linear_light_through_exposure_and_tone_curve_is_the_plain_picture() {
         if mapped.into_iter().any(|channel| channel > 0.75) {
             continue;
         }
-        let srgb = |c: f64| {
-            if c <= 0.003_130_8 {
-                12.92 * c
-            } else {
-                1.055 * c.powf(1.0 / 2.4) - 0.055
-            }
-        };
         for (channel, shown) in mapped.into_iter().zip(pixel(&still, x, y)) {
             // Eight bits are rounded up or down, by noise; before that half floats are off by a
             // two-thousandth, a tenth of a level.

@@ -25,6 +25,7 @@ mod linear_matter;
 )]
 mod moved_camera;
 mod night;
+mod probe_tiles;
 mod projection_tiles;
 mod projections;
 #[path = "../../crates/lightfall-core/tests/physics/random.rs"]
@@ -37,6 +38,7 @@ mod sky_pictures;
 mod stars;
 mod tiles;
 mod tilt;
+mod transparent;
 mod two_pictures;
 mod unit_of_light;
 

@@ -1,21 +1,22 @@
 //! Pictures of other projections against perspective ones: cut-outs of them, resampled here, their
 //! seams, poles and circles.
 
-use exr::prelude::f16;
+use super::linear::{rgb, srgb};
+use super::preset;
 use glam::{DVec2, DVec3, UVec2};
-use lightfall_core::scene::{Camera, CubeLayout, Projection, Scene};
+use lightfall_core::scene::{Camera, CubeLayout, DiskStructure, Projection, Scene, SkyMode};
 use lightfall_picture::{HeadlessOptions, Studio, filled, joined_light, render};
 use lightfall_render::Captured;
 
 /// A preset in linear light at one exposure, without bloom, whose disk is as sharp in every picture.
 fn scene(number: usize) -> Scene {
-    let mut scene = crate::preset(number);
+    let mut scene = preset(number);
     scene.picture.bypass = true;
     scene.picture.bloom = 0.0;
     scene.picture.automatic_exposure = false;
-    scene.disk.structure = lightfall_core::scene::DiskStructure::None;
+    scene.disk.structure = DiskStructure::None;
     // Points are wider on the sky in coarser pictures.
-    scene.sky.mode = lightfall_core::scene::SkyMode::Off;
+    scene.sky.mode = SkyMode::Off;
     scene
 }
 
@@ -27,7 +28,8 @@ fn projected(base: &Scene, projection: Projection, [width, height]: [u32; 2]) ->
     scene
 }
 
-fn light(scene: &Scene) -> Captured {
+/// The light of a scene in a picture of the scene's own size.
+pub(super) fn light(scene: &Scene) -> Captured {
     let options = HeadlessOptions {
         light: true,
         ..HeadlessOptions::default()
@@ -37,11 +39,8 @@ fn light(scene: &Scene) -> Captured {
     studio.light().unwrap()
 }
 
-/// The linear light of a pixel; half floats as the chain keeps them.
 fn pixel(light: &Captured, at: UVec2) -> DVec3 {
-    let rgba = light.rgba[(at.y * light.size.x + at.x) as usize];
-    let half = |i: usize| f64::from(f16::from_bits(rgba[i]).to_f32());
-    DVec3::new(half(0), half(1), half(2))
+    rgb(light.rgba[(at.y * light.size.x + at.x) as usize])
 }
 
 /// The light at a place, between the four pixels about it. Columns go around the whole sky.
@@ -64,14 +63,7 @@ fn sampled(light: &Captured, place: DVec2, around: bool) -> DVec3 {
 /// Levels of a screen of linear light, without the tone curve.
 fn levels(scene: &Scene, light: DVec3) -> DVec3 {
     let shown = (light * scene.picture.exposure_ev.exp2()).clamp(DVec3::ZERO, DVec3::ONE);
-    let encode = |x: f64| {
-        if x <= 0.003_130_8 {
-            12.92 * x
-        } else {
-            1.055 * x.powf(1.0 / 2.4) - 0.055
-        }
-    };
-    255.0 * DVec3::from(shown.to_array().map(encode))
+    255.0 * DVec3::from(shown.to_array().map(srgb))
 }
 
 /// Parts of a pixel to a side over which the finer picture is averaged.
@@ -114,8 +106,7 @@ fn share_alike(
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn cut_outs_of_a_dome_of_the_whole_sky_and_of_a_cube_are_the_perspective_picture() {
-    let number = 2;
-    let base = scene(number);
+    let base = scene(2);
     let mut flat = projected(&base, Projection::Perspective, [80, 48]);
     (flat.camera.fov_deg, flat.picture.samples) = (50.0, 16);
     let dome = projected(&base, Projection::Fisheye, [1024, 1024]);
@@ -124,8 +115,8 @@ fn cut_outs_of_a_dome_of_the_whole_sky_and_of_a_cube_are_the_perspective_picture
         let (camera, size): (Camera, _) = (scene.camera, scene.picture.size().as_dvec2());
         let place_of = |looking: DVec3| camera.pixel_of(looking, size).unwrap();
         let share = share_alike(&flat, place_of, &light(&scene), around, 2.0);
-        println!("preset {number}, {}: {share}", camera.projection.word());
-        assert!(share > 0.99, "preset {number}: {share}");
+        println!("{}: {share}", camera.projection.word());
+        assert!(share > 0.99, "{share}");
     }
     let (layout, side) = (CubeLayout::THREE_BY_TWO, 512);
     let sides: Vec<_> = layout
@@ -136,8 +127,8 @@ fn cut_outs_of_a_dome_of_the_whole_sky_and_of_a_cube_are_the_perspective_picture
     let cube = joined_light(layout, &sides);
     let place_of = |looking: DVec3| layout.pixel_of(looking, side.into());
     let share = share_alike(&flat, place_of, &cube, false, 2.0);
-    println!("preset {number}, cube: {share}");
-    assert!(share > 0.99, "preset {number}: {share}");
+    println!("cube: {share}");
+    assert!(share > 0.99, "{share}");
 }
 
 /// The first and the last column differ as neighbours do, with stars, edges and the structure of the
@@ -147,11 +138,11 @@ fn cut_outs_of_a_dome_of_the_whole_sky_and_of_a_cube_are_the_perspective_picture
 #[ignore = "needs a graphics adapter"]
 fn a_picture_of_the_whole_sky_has_no_seam_and_no_black_poles() {
     for number in [2, 12] {
-        let mut base = crate::preset(number);
+        let mut base = preset(number);
         base.camera.yaw_deg += 180.0;
         (base.picture.bypass, base.picture.bloom) = (true, 0.0);
         base.picture.automatic_exposure = false;
-        base.sky.mode = lightfall_core::scene::SkyMode::Stars;
+        base.sky.mode = SkyMode::Stars;
         let scene = projected(&base, Projection::Equirectangular, [512, 256]);
         let seen = light(&scene);
         let column = |x: u32| (0..256).map(move |y| UVec2::new(x, y));
@@ -186,8 +177,8 @@ fn a_picture_of_the_whole_sky_has_no_seam_and_no_black_poles() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_dome_is_black_outside_its_circle() {
-    let mut base = crate::preset(2);
-    base.sky.mode = lightfall_core::scene::SkyMode::Stars;
+    let mut base = preset(2);
+    base.sky.mode = SkyMode::Stars;
     base.picture.automatic_exposure = false;
     for antialias in [true, false] {
         base.picture.antialias = antialias;

@@ -1,15 +1,17 @@
 //! Pictures of the user's own as the sky: their light is where the reference says, as bright as its
 //! shift says, and none of it is lost.
 
-use crate::preset;
-use exr::prelude::{f16, write_rgb_file};
+use super::linear::rgb;
+use super::preset;
+use super::projections::light as captured;
+use exr::prelude::write_rgb_file;
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::shift::Shift;
 use lightfall_core::optics::sky_picture::{SkyPicture, picture_from_hole};
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Method, ObserverKind, Scene, SkyFrame, SkyMode};
-use lightfall_picture::{HeadlessOptions, Studio, filled};
 use lightfall_platform::storage::{PictureRecord, read_scene};
 use std::f64::consts::{PI, TAU};
 use std::fs;
@@ -34,17 +36,9 @@ fn under(path: &Path, spin: f64) -> Scene {
 
 /// The linear light of each pixel, rows from the top.
 fn light(scene: &Scene) -> Vec<DVec3> {
-    let options = HeadlessOptions {
-        light: true,
-        ..HeadlessOptions::default()
-    };
-    let mut studio = Studio::with_options(&filled(scene), SIZE, options).unwrap();
-    let light = studio.light().unwrap();
+    let light = captured(scene);
     assert_eq!(light.size, SIZE);
-    let number = |half| f16::from_bits(half).to_f64();
-    let rgb = light.rgba.into_iter();
-    rgb.map(|[r, g, b, _]| DVec3::new(number(r), number(g), number(b)))
-        .collect()
+    light.rgba.into_iter().map(rgb).collect()
 }
 
 /// What the reference says of each pixel: the direction of its light on the picture's axes and its
@@ -87,6 +81,13 @@ fn calm(seen: &[Option<(DVec3, f64)>]) -> Vec<usize> {
         .collect()
 }
 
+/// The light of a scene's picture from a direction, shifted by g.
+fn shifted_light(scene: &Scene) -> impl Fn(DVec3, f64) -> DVec3 {
+    let picture = SkyPicture::of(scene).unwrap().unwrap();
+    let shift = Shift::new(scene);
+    move |direction, g| shift.beaming_factor(g) * picture.light(direction, g, 0)
+}
+
 /// Half floats and the shader's table of thermal colours, which is linear between 512 entries.
 const ROUNDING: f64 = 4e-3;
 
@@ -105,13 +106,12 @@ fn a_picture_of_one_light_is_this_light_times_its_shift() {
         scene.observer.kind = observer;
         scene.observer.velocity = velocity;
         let (light, seen) = (light(&scene), seen(&scene));
-        let picture = SkyPicture::of(&scene).unwrap().unwrap();
-        let shift = Shift::new(&scene);
+        let shifted_light = shifted_light(&scene);
         let calm = calm(&seen);
         assert!(2 * calm.len() > seen.len(), "{} calm pixels", calm.len());
         for at in calm {
             let (direction, g) = seen[at].unwrap();
-            let expected = shift.beaming_factor(g) * picture.light(direction, g, 0);
+            let expected = shifted_light(direction, g);
             let error = (light[at] - expected).abs().max_element() / expected.max_element();
             assert!(
                 error < ROUNDING,
@@ -202,13 +202,12 @@ fn the_mean_light_is_that_of_the_reference() {
     for spin in [0.0, 0.8] {
         let scene = under(&path, spin);
         let (light, seen) = (light(&scene), seen(&scene));
-        let picture = SkyPicture::of(&scene).unwrap().unwrap();
-        let shift = Shift::new(&scene);
+        let shifted_light = shifted_light(&scene);
         let (mut drawn, mut expected) = (DVec3::ZERO, DVec3::ZERO);
         for at in calm(&seen) {
             let (direction, g) = seen[at].unwrap();
             drawn += light[at];
-            expected += shift.beaming_factor(g) * picture.light(direction, g, 0);
+            expected += shifted_light(direction, g);
         }
         let error = (drawn / expected - 1.0).abs().max_element();
         assert!(error < 0.01, "spin {spin}: {drawn}, not {expected}");
@@ -257,7 +256,7 @@ fn a_preset_finds_its_picture_beside_itself_and_the_record_names_it() {
     .unwrap();
     let scene = read_scene(&preset, &[]).unwrap();
     assert_eq!(Path::new(&scene.sky.picture), picture);
-    let stars = lightfall_core::optics::stars::Catalogue::built_in();
+    let stars = Catalogue::built_in();
     let record = PictureRecord::new(&scene, stars, None);
     let sky = record
         .texts

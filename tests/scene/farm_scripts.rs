@@ -47,13 +47,20 @@ impl Stand {
         self.folder.path().join(name)
     }
 
-    fn run(&self, name: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Output {
+    /// A script that finds the stand-ins first.
+    fn script(&self, name: &str) -> Command {
         let path = std::env::var("PATH").unwrap();
-        Command::new("bash")
+        let mut command = Command::new("bash");
+        command
             .arg(script(name))
-            .args(arguments)
             .current_dir(self.folder.path())
-            .env("PATH", format!("{}:{path}", self.folder.path().display()))
+            .env("PATH", format!("{}:{path}", self.folder.path().display()));
+        command
+    }
+
+    fn run(&self, name: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Output {
+        self.script(name)
+            .args(arguments)
             .env("PAUSE", "0")
             .env_remove("SLURM_JOB_GPUS")
             .envs(variables.iter().copied())
@@ -91,14 +98,7 @@ fn a_command_that_is_run_again_is_asked_to_end_with_its_script() {
     let stand = Stand::new(0);
     let text = "#!/usr/bin/env bash\ntrap 'echo ended >>log; exit 143' TERM\necho begun >>log\nwhile :; do sleep 0.05; done\n";
     fs::write(stand.path("lightfall"), text).unwrap();
-    let path = std::env::var("PATH").unwrap();
-    let mut child = Command::new("bash")
-        .arg(script("again"))
-        .arg("lightfall")
-        .current_dir(stand.folder.path())
-        .env("PATH", format!("{}:{path}", stand.folder.path().display()))
-        .spawn()
-        .unwrap();
+    let mut child = stand.script("again").arg("lightfall").spawn().unwrap();
     while !fs::read_to_string(stand.path("log")).is_ok_and(|log| log.contains("begun")) {
         assert!(child.try_wait().unwrap().is_none());
         std::thread::sleep(std::time::Duration::from_millis(20));
@@ -191,7 +191,7 @@ fn pictures_are_verified_by_their_manifests() {
     assert!(!stand.run("verify", &files, &[]).status.success());
 }
 
-/// The options of `lightfall render` in a line, as clap reads them.
+/// Asserts that the program reads a command line.
 fn expect_options(line: &str) {
     let words = shlex::split(line).unwrap();
     if let Err(error) = cli::read(words) {

@@ -188,7 +188,9 @@ fn a_film_of_odd_sides_has_one_row_and_column_more() {
         "width=98\nheight=64\n"
     );
     // The pixels at the edge share their colour with those that were added.
-    for (mean, colour) in means(&file, "709", form.size - 3).iter().zip(COLOURS) {
+    let means = means(&file, "709", form.size - 3);
+    assert_eq!(means.len(), COLOURS.len());
+    for (mean, colour) in means.iter().zip(COLOURS) {
         for i in 0..3 {
             assert!(
                 (mean[i] - colour[i]).abs() * 255.0 < 2.0,

@@ -60,6 +60,14 @@ fn seconds(seconds: u64) -> Duration {
     Duration::from_secs(seconds)
 }
 
+/// A round of so many journeys, of which the first one flies after a second.
+fn begun(journeys: usize) -> KioskRound {
+    let mut round = KioskRound::new(journeys, IDLE);
+    round.step(seconds(0), VisitorInput::Nothing, JourneyNow::Rests);
+    round.step(seconds(1), VisitorInput::Nothing, JourneyNow::Flies);
+    round
+}
+
 fn fly(line: &str) -> FlyArgs {
     match cli::read(line.split(' ')).unwrap() {
         Command::Fly(args) => args,
@@ -101,10 +109,8 @@ fn the_journeys_are_flown_in_their_order_again_and_again() {
 
 #[test]
 fn a_visitor_has_the_window_until_a_minute_has_passed_without_any_input() {
-    let mut round = KioskRound::new(2, IDLE);
     let nothing = VisitorInput::Nothing;
-    round.step(seconds(0), nothing, JourneyNow::Rests);
-    round.step(seconds(1), nothing, JourneyNow::Flies);
+    let mut round = begun(2);
     // The mouse alone may be a table that shakes.
     round.step(seconds(2), VisitorInput::Moves, JourneyNow::Flies);
     assert!(!round.has_visitor());
@@ -124,9 +130,7 @@ fn a_visitor_has_the_window_until_a_minute_has_passed_without_any_input() {
 #[test]
 fn the_start_returns_from_a_paused_journey_and_from_a_stop_as_well() {
     for left in [JourneyNow::Flies, JourneyNow::Waits(seconds(7))] {
-        let mut round = KioskRound::new(1, IDLE);
-        round.step(seconds(0), VisitorInput::Nothing, JourneyNow::Rests);
-        round.step(seconds(1), VisitorInput::Nothing, JourneyNow::Flies);
+        let mut round = begun(1);
         round.step(seconds(2), VisitorInput::Acts, left);
         let step = round.step(seconds(61), VisitorInput::Nothing, left);
         assert_eq!(step, RoundStep::Stay, "{left:?}");
@@ -137,10 +141,8 @@ fn the_start_returns_from_a_paused_journey_and_from_a_stop_as_well() {
 
 #[test]
 fn a_journey_that_a_visitor_begins_is_flown_to_its_end() {
-    let mut round = KioskRound::new(2, IDLE);
     let nothing = VisitorInput::Nothing;
-    round.step(seconds(0), nothing, JourneyNow::Rests);
-    round.step(seconds(1), nothing, JourneyNow::Flies);
+    let mut round = begun(2);
     round.step(seconds(5), VisitorInput::Acts, JourneyNow::Rests);
     // The key of the journey, which flies from the next frame on.
     round.step(seconds(9), VisitorInput::Acts, JourneyNow::Rests);
@@ -158,10 +160,8 @@ fn a_stop_waits_as_long_as_its_caption_is_read_and_then_goes_on() {
     // 150 characters at 15 a second, and five seconds to look.
     let reading = stop_reading_time(&"x".repeat(150));
     assert_eq!(reading, seconds(15));
-    let mut round = KioskRound::new(1, IDLE);
+    let mut round = begun(1);
     let mut at = |now, journey| round.step(seconds(now), VisitorInput::Nothing, journey);
-    at(0, JourneyNow::Rests);
-    at(1, JourneyNow::Flies);
     assert_eq!(at(3, JourneyNow::Waits(reading)), RoundStep::Stay);
     assert_eq!(at(17, JourneyNow::Waits(reading)), RoundStep::Stay);
     assert_eq!(at(18, JourneyNow::Waits(reading)), RoundStep::GoOn);

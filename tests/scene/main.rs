@@ -48,6 +48,7 @@ mod keys;
 mod kiosk;
 mod legends;
 mod lesson_player;
+mod lesson_results;
 mod lessons;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;

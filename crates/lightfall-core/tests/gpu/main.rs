@@ -51,6 +51,8 @@ mod part_headers;
 mod plane;
 mod presentation;
 mod projection;
+#[path = "../physics/projection_pairs.rs"]
+mod projection_pairs;
 mod promises;
 #[path = "../physics/random.rs"]
 mod random;

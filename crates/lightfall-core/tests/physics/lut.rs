@@ -1,6 +1,7 @@
 //! Lookup tables for other programs: their files, read and interpolated as those programs do, against the
 //! curves themselves.
 
+use half::f16;
 use lightfall_core::optics::lut::{HighRange, Look, Lut, LutForm};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::ToneCurve;
@@ -137,7 +138,7 @@ fn reader(lut: Lut, form: LutForm) -> Box<dyn Fn([f64; 3]) -> [f64; 3]> {
             };
             // The lights of a picture are half floats, which are places of the table.
             Box::new(move |light: [f64; 3]| {
-                nodes.interpolate(light.map(|x| shaper[usize::from(half(x))]))
+                nodes.interpolate(light.map(|x| shaper[usize::from(half(x).to_bits())]))
             })
         }
         LutForm::Cube => {
@@ -165,24 +166,13 @@ fn reader(lut: Lut, form: LutForm) -> Box<dyn Fn([f64; 3]) -> [f64; 3]> {
     }
 }
 
-/// The bits of the half float below a positive number.
-fn half(x: f64) -> u16 {
-    let mut bits = 0_u16;
-    for bit in (0..15).rev() {
-        let larger = bits | 1 << bit;
-        if larger < 0x7c00 && half_value(larger) <= x {
-            bits = larger;
-        }
-    }
-    bits
-}
-
-/// The value of a half float (IEEE 754-2019, table 3.5).
-fn half_value(bits: u16) -> f64 {
-    let (exponent, fraction) = (i32::from(bits >> 10), f64::from(bits & 0x3ff) / 1024.0);
-    match exponent {
-        0 => fraction * (-14.0_f64).exp2(),
-        _ => (1.0 + fraction) * f64::from(exponent - 15).exp2(),
+/// The largest half float that is not above a positive number.
+fn half(x: f64) -> f16 {
+    let nearest = f16::from_f64(x);
+    if nearest.to_f64() <= x {
+        nearest
+    } else {
+        f16::from_bits(nearest.to_bits() - 1)
     }
 }
 
@@ -196,7 +186,7 @@ fn errors(look: Look, form: LutForm, most: f64, steps: f64) -> [f64; 3] {
     let read = reader(lut, form);
     let mut errors = Vec::new();
     for light in lights(most) {
-        let light = light.map(|x| half_value(half(x / EV.exp2())));
+        let light = light.map(|x| half(x / EV.exp2()).to_f64());
         let found = read(light).map(|code| code.clamp(0.0, 1.0));
         let wanted = look.shown(light.map(|x| x as f32), EV.exp2());
         for i in 0..3 {

@@ -36,6 +36,7 @@ mod moved_camera;
 mod observer;
 mod path;
 mod pixel_samples;
+mod projection_pairs;
 mod projections;
 mod random;
 mod ray_plane;

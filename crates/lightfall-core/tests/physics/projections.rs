@@ -1,55 +1,20 @@
 //! Projections in f64, against pairs of pixels and directions that an independent program computed,
 //! and solid angles against closed forms.
 
+use crate::projection_pairs::{Pair, pairs};
 use glam::{DVec2, DVec3};
 use lightfall_core::optics::apparent_hole::dark_share;
 use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::scene::{Camera, CubeLayout, Projection, Scene};
 use std::f64::consts::PI;
 
-/// A pixel of a picture and the direction that is seen there: projection,width,height,angle_deg,
-/// pixel_x,pixel_y,right,up,forward,inside.
-pub struct Pair {
-    pub projection: Projection,
-    pub size: DVec2,
-    pub angle_deg: f64,
-    pub place: DVec2,
-    pub looking: DVec3,
-    pub is_inside: bool,
-}
-
-/// All pairs of the file.
-pub fn pairs() -> Vec<Pair> {
-    let text = include_str!("../projections.csv");
-    let rows = text.lines().skip(1).map(|line| {
-        let (word, numbers) = line.split_once(',').unwrap();
-        let numbers: Vec<f64> = numbers
-            .split(',')
-            .map(|number| number.parse().unwrap_or(f64::NAN))
-            .collect();
-        Pair {
-            projection: Projection::from_word(word).unwrap(),
-            size: DVec2::new(numbers[0], numbers[1]),
-            angle_deg: numbers[2],
-            place: DVec2::new(numbers[3], numbers[4]),
-            looking: DVec3::new(numbers[5], numbers[6], numbers[7]),
-            is_inside: numbers[8] == 1.0,
-        }
-    });
-    rows.collect()
-}
-
-/// The camera of a pair.
-pub fn camera(pair: &Pair) -> Camera {
+/// A camera with this projection and field of view.
+fn camera(projection: Projection, field_deg: f64) -> Camera {
     let mut camera = Camera {
-        projection: pair.projection,
+        projection,
         ..Scene::default().camera
     };
-    if pair.projection == Projection::Perspective {
-        camera.fov_deg = pair.angle_deg;
-    } else {
-        camera.fisheye_deg = pair.angle_deg.max(1.0);
-    }
+    camera.set_field_deg(field_deg);
     camera
 }
 
@@ -61,7 +26,7 @@ fn directions_and_places_are_those_of_an_independent_program() {
     let mut counts = [0; 2];
     for pair in pairs() {
         let Pair { size, place, .. } = pair;
-        let camera = camera(&pair);
+        let camera = camera(pair.projection, pair.angle_deg);
         let name = format!("{} {place}", pair.projection.word());
         let side = size.x / 3.0;
         let (seen, back) = match pair.projection {
@@ -113,14 +78,6 @@ fn solid_angles_of_pixels_add_up_to_those_of_the_pictures() {
             .map(|place| camera.coverage(place, size) * camera.solid_angle(place, size))
             .sum()
     };
-    let of = |projection, field_deg: f64| {
-        let mut camera = Camera {
-            projection,
-            ..Scene::default().camera
-        };
-        camera.set_field_deg(field_deg);
-        camera
-    };
     let half = DVec2::new(16.0 / 9.0, 1.0) * 30_f64.to_radians().tan();
     let [x, y] = half.to_array();
     // Of a pyramid over a rectangle (Van Oosterom & Strackee 1983).
@@ -128,15 +85,19 @@ fn solid_angles_of_pixels_add_up_to_those_of_the_pictures() {
     let square = DVec2::splat(720.0);
     let cases = [
         (
-            of(Projection::Perspective, 60.0),
+            camera(Projection::Perspective, 60.0),
             DVec2::new(640.0, 360.0),
             pyramid,
         ),
-        (of(Projection::Perspective, 90.0), square, 4.0 * PI / 6.0),
-        (of(Projection::Fisheye, 180.0), square, 2.0 * PI),
-        (of(Projection::Fisheye, 360.0), square, 4.0 * PI),
         (
-            of(Projection::Equirectangular, 0.0),
+            camera(Projection::Perspective, 90.0),
+            square,
+            4.0 * PI / 6.0,
+        ),
+        (camera(Projection::Fisheye, 180.0), square, 2.0 * PI),
+        (camera(Projection::Fisheye, 360.0), square, 4.0 * PI),
+        (
+            camera(Projection::Equirectangular, 0.0),
             DVec2::new(720.0, 360.0),
             4.0 * PI,
         ),

@@ -19,9 +19,11 @@ mod pose;
 mod presets;
 #[path = "../physics/random.rs"]
 mod random;
+mod set_fields;
 mod step_policy;
 mod stops;
 mod subtitles;
 mod text;
 mod toml_faults;
 mod words;
+mod wrong_keys;

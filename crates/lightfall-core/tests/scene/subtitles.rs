@@ -10,7 +10,7 @@ fn text(journey: &Journey, fps: Option<f64>, format: SubtitleFormat) -> String {
     journey.subtitles(fps, str::to_owned).to_text(format)
 }
 
-/// A flight of an hour whose keyframes begin at 10 s.
+/// A flight of an hour, whose first keyframe is at 10 s.
 const CAPTIONS: &str = r#"
 [[keyframe]]
 time = 10
@@ -52,21 +52,22 @@ fn captions_are_subtitles_of_whole_milliseconds_until_the_next_one() {
 #[test]
 fn at_a_frame_rate_subtitles_change_with_the_frames_that_show_their_times() {
     let journey = load(CAPTIONS);
-    let srt = text(&journey, Some(24.0), SubtitleFormat::Srt);
-    let times: Vec<&str> = srt.lines().filter(|line| line.contains(" --> ")).collect();
+    let times = |fps| -> Vec<String> {
+        let srt = text(&journey, Some(fps), SubtitleFormat::Srt);
+        let times = srt.lines().filter(|line| line.contains(" --> "));
+        times.map(str::to_owned).collect()
+    };
     assert_eq!(
-        times,
+        times(24.0),
         [
             "00:00:01,042 --> 00:00:04,500",
             "00:00:04,500 --> 00:00:06,500",
             "01:02:05,500 --> 01:02:06,750"
         ]
     );
-    // Of a frame every two seconds, the first two captions have one each.
-    let slow = text(&journey, Some(0.5), SubtitleFormat::Srt);
-    let times: Vec<&str> = slow.lines().filter(|line| line.contains(" --> ")).collect();
+    // With a frame every two seconds, each of the first two captions has one of its own.
     assert_eq!(
-        times,
+        times(0.5),
         [
             "00:00:02,000 --> 00:00:06,000",
             "00:00:06,000 --> 00:00:08,000",

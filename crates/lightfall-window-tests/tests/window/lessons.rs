@@ -152,15 +152,11 @@ fn short_lesson(title: &str) -> String {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_card_at_the_end_of_a_lesson_begins_the_next_one_by_its_key_and_by_a_click() {
-    let names = ["Alpha", "Beta", "Gamma"];
-    let files = names.map(|name| {
-        let file = match name {
-            "Alpha" => "lessons/a.toml",
-            "Beta" => "lessons/b.toml",
-            _ => "lessons/c.toml",
-        };
-        (file, short_lesson(name))
-    });
+    let files = [
+        ("lessons/a.toml", short_lesson("Alpha")),
+        ("lessons/b.toml", short_lesson("Beta")),
+        ("lessons/c.toml", short_lesson("Gamma")),
+    ];
     let setup = Setup {
         files: &files,
         ..Setup::default()

@@ -321,14 +321,18 @@ fn a_mission_closes_the_inspector_the_comparison_and_the_photo_mode() {
     desktop.end_without_error();
 }
 
-/// The first mission with another name and title.
-fn own_mission(name: &str, title: &str) -> String {
+/// The text of the first mission.
+pub(crate) fn first_mission() -> String {
     let file = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../assets/missions/two-burns.toml"
     );
-    let text = std::fs::read_to_string(file).unwrap();
-    let changed = text
+    std::fs::read_to_string(file).unwrap()
+}
+
+/// The first mission with another name and title.
+fn own_mission(name: &str, title: &str) -> String {
+    let changed = first_mission()
         .replacen("name = \"two-burns\"", &format!("name = {name:?}"), 1)
         .replacen("title = \"Two burns\"", &format!("title = {title:?}"), 1);
     assert!(changed.contains(name) && changed.contains(title));

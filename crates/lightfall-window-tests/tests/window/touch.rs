@@ -2,6 +2,7 @@
 
 use crate::PLAIN;
 use crate::desktop::Desktop;
+use crate::missions::first_mission;
 use watched::{Order, ShipState, State, Stroke, Text};
 
 /// Time of a frame, in seconds.
@@ -233,11 +234,7 @@ fn the_buttons_of_the_bar_fly_the_ship_and_the_bar_stays() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn an_empty_tank_is_said_by_a_thrust_key_and_by_the_bar_whose_button_goes_back() {
-    let file = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../assets/missions/two-burns.toml"
-    );
-    let text = std::fs::read_to_string(file).unwrap();
+    let text = first_mission();
     let small = text.replacen("rapidity = 0.10,", "rapidity = 0.01,", 1);
     assert_ne!(small, text);
     let folder = tempfile::tempdir().unwrap();
