@@ -205,6 +205,11 @@ fn a_picture_has_the_layers_of_what_its_scene_shows() {
     assert_eq!(of("2", SkyMode::Stars), [sky, stars, hit1, hit2]);
     assert_eq!(of("2", SkyMode::Procedural), [sky, hit1, hit2]);
     assert_eq!(of("2", SkyMode::Off), [hit1, hit2]);
+    // Before a picture there are stars only where the scene asks for them.
+    let mut picture = with_sky("2", SkyMode::Picture);
+    assert_eq!(layers(vec![picture.clone()]), [sky, hit1, hit2]);
+    picture.sky.stars = true;
+    assert_eq!(layers(vec![picture]), [sky, stars, hit1, hit2]);
     assert_eq!(of("14", SkyMode::Stars), [sky, stars, volume]);
     assert_eq!(of("18", SkyMode::Off), [hit1, hit2, volume]);
     assert_eq!(of("6", SkyMode::Off), [hit1, hit2, probe]);

@@ -64,7 +64,7 @@ static LAYERS: [Layer; COUNT] = [
     Layer {
         source: Source::Traced(Layers::STARS),
         channels: light!("light_stars", "stars that are points"),
-        is_in: |scene| scene.sky.mode == SkyMode::Stars,
+        is_in: |scene| scene.sky.has_star_points(),
     },
     Layer {
         source: Source::Traced(Layers::HIT1),
